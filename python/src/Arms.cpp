@@ -14,6 +14,7 @@
 #include <pybind11/stl/filesystem.h>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ompl_certificates_python
@@ -26,6 +27,10 @@ namespace ompl_certificates_python
 
         using Packages = std::map<std::string, std::filesystem::path>;
         using JointValues = std::map<std::string, double>;
+
+        /** That of all links, or of some by their names */
+        using Padding = std::variant<double, std::map<std::string, double>>;
+
         using Bounds = std::optional<std::pair<std::vector<double>, std::vector<double>>>;
 
         ArmFile readArmFile(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
@@ -47,6 +52,7 @@ namespace ompl_certificates_python
             const std::vector<AttachedBody> &attached;
             const std::vector<TouchableObstacle> &touchable;
             const std::vector<std::string> &mayTouchObstacles;
+            const Padding &padding;
 
             ArmFile::ArmSettings get() const
             {
@@ -58,6 +64,10 @@ namespace ompl_certificates_python
                 settings.attached = attached;
                 settings.touchable = touchable;
                 settings.mayTouchObstacles = mayTouchObstacles;
+                if (const double *all = std::get_if<double>(&padding))
+                    settings.padding = *all;
+                else
+                    settings.linkPadding = std::get<1>(padding);
                 return settings;
             }
         };
@@ -125,10 +135,10 @@ namespace ompl_certificates_python
                               const py::object &base, const JointValues &jointValues, const Bounds &bounds,
                               const std::vector<AttachedBody> &attached,
                               const std::vector<TouchableObstacle> &touchable,
-                              const std::vector<std::string> &mayTouchObstacles)
+                              const std::vector<std::string> &mayTouchObstacles, const Padding &padding)
         {
             return makeParts(file, {{name.value_or(file.getName()), group}},
-                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles})
+                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles, padding})
                 .front();
         }
 
@@ -136,10 +146,10 @@ namespace ompl_certificates_python
                                             const JointValues &jointValues, const Bounds &bounds,
                                             const std::vector<AttachedBody> &attached,
                                             const std::vector<TouchableObstacle> &touchable,
-                                            const std::vector<std::string> &mayTouchObstacles)
+                                            const std::vector<std::string> &mayTouchObstacles, const Padding &padding)
         {
             return makeParts(file, toParts(groups),
-                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles});
+                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles, padding});
         }
 
         RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
@@ -147,10 +157,10 @@ namespace ompl_certificates_python
                             const JointValues &jointValues, const Bounds &bounds,
                             const std::vector<AttachedBody> &attached, const Packages &packages, bool visuals,
                             const std::vector<std::string> &mayTouchObstacles,
-                            const std::vector<TouchableObstacle> &touchable)
+                            const std::vector<TouchableObstacle> &touchable, const Padding &padding)
         {
             return armOfFile(readArmFile(urdf, srdf, packages, visuals), group, name, base, jointValues, bounds,
-                             attached, touchable, mayTouchObstacles);
+                             attached, touchable, mayTouchObstacles, padding);
         }
 
         std::vector<RobotHolder> makeArms(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
@@ -158,10 +168,10 @@ namespace ompl_certificates_python
                                           const JointValues &jointValues, const Bounds &bounds,
                                           const std::vector<AttachedBody> &attached, const Packages &packages,
                                           bool visuals, const std::vector<std::string> &mayTouchObstacles,
-                                          const std::vector<TouchableObstacle> &touchable)
+                                          const std::vector<TouchableObstacle> &touchable, const Padding &padding)
         {
             return armsOfFile(readArmFile(urdf, srdf, packages, visuals), groups, base, jointValues, bounds, attached,
-                              touchable, mayTouchObstacles);
+                              touchable, mayTouchObstacles, padding);
         }
 
         void requireSpace(const Body &body)
@@ -230,13 +240,13 @@ namespace ompl_certificates_python
                      py::arg("base") = py::none(), py::arg("joint_values") = JointValues(),
                      py::arg("bounds") = py::none(), py::arg("attached") = std::vector<AttachedBody>(),
                      py::arg("touchable") = std::vector<TouchableObstacle>(),
-                     py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                     py::arg("may_touch_obstacles") = std::vector<std::string>(), py::arg("padding") = Padding(0.0),
                      "An arm. The arguments are those of Robot.arm.")
                 .def("arms", &armsOfFile, py::arg("groups"), py::arg("base") = py::none(),
                      py::arg("joint_values") = JointValues(), py::arg("bounds") = py::none(),
                      py::arg("attached") = std::vector<AttachedBody>(),
                      py::arg("touchable") = std::vector<TouchableObstacle>(),
-                     py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                     py::arg("may_touch_obstacles") = std::vector<std::string>(), py::arg("padding") = Padding(0.0),
                      "The arms of one mechanism. The arguments are those of Robot.arms.");
         }
     }
@@ -269,7 +279,7 @@ namespace ompl_certificates_python
                 py::arg("bounds") = py::none(), py::arg("attached") = std::vector<AttachedBody>(),
                 py::arg("packages") = Packages(), py::arg("visuals") = false,
                 py::arg("may_touch_obstacles") = std::vector<std::string>(),
-                py::arg("touchable") = std::vector<TouchableObstacle>(),
+                py::arg("touchable") = std::vector<TouchableObstacle>(), py::arg("padding") = Padding(0.0),
                 "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
                 "for. base is the pose of its root link; joint_values are those of joints that are not of the "
                 "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
@@ -278,13 +288,15 @@ namespace ompl_certificates_python
                 "geometry in place of that for collisions. may_touch_obstacles are links, and attached bodies, that are "
                 "not checked against obstacles, such as the foot of a robot that is bolted to a table; touchable are "
                 "obstacles that some of them may touch. A state has the values of the group's joints, in radians "
-                "or meters. For several arms of the same files take an ArmFile. What was ignored in the files is told by warnings.")
+                "or meters. padding is the distance that all links and attached bodies keep from obstacles, or a dict "
+                "of those that keep one, by their names; see Body.padded. The arm's links are checked against each "
+                "other without. For several arms of the same files take an ArmFile. What was ignored in the files is told by warnings.")
             .def_static(
                 "arms", &makeArms, py::arg("urdf"), py::arg("srdf"), py::arg("groups"), py::arg("base") = py::none(),
                 py::arg("joint_values") = JointValues(), py::arg("bounds") = py::none(),
                 py::arg("attached") = std::vector<AttachedBody>(), py::arg("packages") = Packages(),
                 py::arg("visuals") = false, py::arg("may_touch_obstacles") = std::vector<std::string>(),
-                py::arg("touchable") = std::vector<TouchableObstacle>(),
+                py::arg("touchable") = std::vector<TouchableObstacle>(), py::arg("padding") = Padding(0.0),
                 "The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of "
                 "joints that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link "
                 "belongs to the robot that moves it, and links that none moves to the first. The rest is as for "

@@ -126,7 +126,10 @@ namespace ompl_certificates_python
                      const std::size_t count = body.getParts().size();
                      text << "<Body of " << count << (count == 1 ? " shape in " : " shapes in ")
                           << (body.getDimension() == 2 ? "the plane" : "space") << ", bounding radius "
-                          << body.getBoundingRadius() << ">";
+                          << body.getBoundingRadius();
+                     if (body.getPadding() > 0.0)
+                         text << ", padding " << body.getPadding();
+                     text << ">";
                      return text.str();
                  })
             .def_property_readonly("dimension", &Body::getDimension, "The dimension of the workspace: 2 or 3")
@@ -135,6 +138,11 @@ namespace ompl_certificates_python
             .def("signed_distance", &signedDistances, py::arg("points"),
                  "The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. "
                  "Shape (n,)")
+            .def("padded", &Body::padded, py::arg("padding"),
+                 "The same shapes with a padding: a body that keeps this distance from obstacles, exactly, with round "
+                 "corners. Two robots keep the sum of their paddings. It takes the place of a padding that the body "
+                 "has; 0 for none.")
+            .def_property_readonly("padding", &Body::getPadding, "The distance that the body keeps from obstacles")
             .def(
                 "__eq__", [](const Body &body, const Body &other) { return body == other; }, py::is_operator());
     }

@@ -83,6 +83,13 @@ namespace ompl_certificates
             return text + (dimension == 3 ? ", " + std::to_string(point.z()) + ")" : ")");
         }
 
+        std::vector<Ball> enlarged(std::vector<Ball> balls, double padding)
+        {
+            for (Ball &ball : balls)
+                ball.radius += padding;
+            return balls;
+        }
+
         void requireConvex(const Body &hull, const std::vector<Eigen::Vector3d> &points)
         {
             // So much may be lost of points on an edge or a face where they are written down.
@@ -174,9 +181,14 @@ namespace ompl_certificates
     {
         std::vector<Part> parts;
         for (const PlacedBody &placed : bodies)
+        {
+            if (placed.body.getPadding() != bodies.front().body.getPadding())
+                throw ompl::Exception("Bodies of different paddings cannot be joined");
             for (const Part &part : placed.body.getParts())
                 parts.push_back({part.shape, placed.pose * part.pose});
-        return Body(std::move(parts));
+        }
+        const Body shapes(std::move(parts));
+        return shapes.padded(bodies.front().body.getPadding());
     }
 
     Body::Body(std::vector<Part> parts)
@@ -203,9 +215,42 @@ namespace ompl_certificates
         data_->parts = std::move(parts);
     }
 
+    Body Body::padded(double padding) const
+    {
+        if (!(padding >= 0.0) || !std::isfinite(padding))
+            throw ompl::Exception("The padding of a body must be finite and not negative, not " +
+                                  std::to_string(padding));
+        if (padding == 0.0)
+            return withoutPadding();
+        if (padding == getPadding())
+            return *this;
+        auto data = std::make_shared<Data>();
+        data->base = withoutPadding().data_;
+        const Data &base = *data->base;
+        data->parts = base.parts;
+        data->padding = padding;
+        data->isBall = base.isBall;
+        data->boundingRadius = base.boundingRadius + padding;
+        const Eigen::Vector3d around(padding, padding, padding);
+        data->bounds = {base.bounds.min() - around, base.bounds.max() + around};
+        data->partBalls = enlarged(base.partBalls, padding);
+        data->zInterval = {base.zInterval.low - padding, base.zInterval.high + padding};
+        return Body(std::move(data));
+    }
+
     const Body::Balls &Body::Data::makeBalls() const
     {
         const std::lock_guard<std::mutex> lock(mutex);
+        if (!balls && base)
+        {
+            const Balls &bare = base->getBalls();
+            std::vector<SphereTree::Node> nodes = bare.sphereTree.getNodes();
+            for (SphereTree::Node &node : nodes)
+                node.ball.radius += padding;
+            balls = std::make_unique<const Balls>(Balls{
+                SphereTree(std::move(nodes)), enlarged(bare.innerSpheres, padding), bare.centralRadius + padding});
+            made.store(balls.get(), std::memory_order_release);
+        }
         if (!balls)
         {
             SphereTree sphereTree = buildSphereTree(parts);
@@ -230,8 +275,12 @@ namespace ompl_certificates
         if (!data_->covers)
         {
             auto covers = std::make_shared<std::vector<ConvexCover>>();
-            for (const Part &part : data_->parts)
-                covers->emplace_back(part.shape, part.pose);
+            if (data_->base)
+                for (const ConvexCover &cover : withoutPadding().getConvexCovers())
+                    covers->push_back(cover.padded(data_->padding));
+            else
+                for (const Part &part : data_->parts)
+                    covers->emplace_back(part.shape, part.pose);
             data_->covers = covers;
             data_->madeCovers.store(covers.get(), std::memory_order_release);
         }
@@ -245,14 +294,15 @@ namespace ompl_certificates
 
     double Body::signedDistance(const Eigen::Vector3d &point) const
     {
-        return ompl_certificates::signedDistance(getParts(), point);
+        return ompl_certificates::signedDistance(getParts(), point) - getPadding();
     }
 
     bool Body::operator==(const Body &other) const
     {
         const auto same = [](const Part &a, const Part &b)
         { return a.shape == b.shape && a.pose.matrix() == b.pose.matrix(); };
-        return data_ == other.data_ ||
-               std::equal(getParts().begin(), getParts().end(), other.getParts().begin(), other.getParts().end(), same);
+        return data_ == other.data_ || (getPadding() == other.getPadding() &&
+                                        std::equal(getParts().begin(), getParts().end(), other.getParts().begin(),
+                                                   other.getParts().end(), same));
     }
 }

@@ -18,6 +18,14 @@ namespace ompl_certificates
             mesh; 10^5 take some 50 ms. */
         ConvexCover(const Shape &shape, const Pose &pose);
 
+        /** \brief This cover and all points within \e padding of it */
+        ConvexCover padded(double padding) const
+        {
+            ConvexCover cover = *this;
+            cover.rounding_ += padding;
+            return cover;
+        }
+
         /** \brief How far points of the cover may be from the hull */
         double getRounding() const
         {

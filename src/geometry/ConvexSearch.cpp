@@ -2,9 +2,9 @@
 
 namespace ompl_certificates
 {
-    bool ConvexSearch::add(const Eigen::Vector3d &point, double bound)
+    bool ConvexSearch::add(const Eigen::Vector3d &point, double bound, double precision)
     {
-        if (count_ > 0 && bound > 0.9 * nearest_.norm())
+        if (count_ > 0 && bound > precision * nearest_.norm())
             return false;
         points_[count_] = point;
         Simplex next;

@@ -20,8 +20,9 @@ namespace ompl_certificates
 
         /** \brief Adds a point of the set
             \param bound a lower bound of the distance of the set, which this point gives
-            \return whether to go on: false if the origin is inside, or if the distance is known to a hundredth */
-        bool add(const Eigen::Vector3d &point, double bound);
+            \param precision how much of the distance the bound must be to be good enough
+            \return whether to go on: false if the origin is inside, or if the bound is good enough */
+        bool add(const Eigen::Vector3d &point, double bound, double precision = 0.9);
 
         /** \brief The nearest point that is known. It belongs to the set, so its distance is an upper bound. */
         const Eigen::Vector3d &getNearest() const

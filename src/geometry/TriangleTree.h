@@ -78,6 +78,19 @@ namespace ompl_certificates
             \param hit if not null and the answer is YES: the position of the triangle */
         Touching touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit = nullptr) const;
 
+        /** \brief A triangle of this tree that is within a distance of one of \e other; see areWithin()
+            \param pose from the frame of \e other to the frame of this tree
+            \return its position, or NONE */
+        std::uint32_t findWithin(const TriangleTree &other, const Pose &pose, double distance) const;
+
+        /** \brief A triangle that is within a distance of \e primitive; see areWithin()
+            \param pose from the frame of this tree to the frame of \e primitive
+            \return its position, or NONE */
+        std::uint32_t findWithin(const Shape &primitive, const Pose &pose, double distance) const;
+
+        /** \brief Whether a triangle is within a distance of another one in this frame */
+        bool isWithin(const Corners &corners, double distance) const;
+
         /** \brief The triangle at a position, from 0 to size() - 1 */
         const Facet &getTriangle(std::uint32_t position) const
         {
@@ -131,6 +144,16 @@ namespace ompl_certificates
         {
             return (leaf & ((1U << COUNT_BITS) - 1)) + 1;
         }
+
+        /** \brief Calls \e visit with the position of a triangle of this tree and one of \e other in its frame, for
+            all that may be within \e margin of each other, until it returns true */
+        template <typename Visit>
+        void visitNear(const TriangleTree &other, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief The same with the position of a triangle that may be within \e margin of a box
+            \param pose from the frame of this tree to the frame of the box */
+        template <typename Visit>
+        void visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin, const Visit &visit) const;
 
         /** \brief The stack that a depth-first walk needs: three open children per level */
         static constexpr std::size_t STACK_SIZE = 256;

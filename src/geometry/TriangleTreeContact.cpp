@@ -3,6 +3,7 @@
 #include "BoxOverlap.h"
 #include "PrimitiveContact.h"
 #include "TriangleContact.h"
+#include "WithinDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +112,34 @@ namespace ompl_certificates
     {
         if (nodes_.empty() || other.nodes_.empty())
             return Touching::NO;
-        const Eigen::Vector3d shift = pose * other.origin_ - origin_;
-        if (!(shift.norm() < FARTHEST_BOX))
+        if (!((pose * other.origin_ - origin_).norm() < FARTHEST_BOX))
             return Touching::UNKNOWN;
+        Answers answers;
+        visitNear(other, pose, margin,
+                  [&](std::uint32_t position, const Facet &triangle)
+                  { return answers.note(crossing(triangles_[position], triangle, margin), position, hit); });
+        return answers.get();
+    }
+
+    std::uint32_t TriangleTree::findWithin(const TriangleTree &other, const Pose &pose, double distance) const
+    {
+        std::uint32_t found = NONE;
+        if (nodes_.empty() || other.nodes_.empty() || !((pose * other.origin_ - origin_).norm() < FARTHEST_BOX))
+            return found;
+        visitNear(other, pose, distance,
+                  [&](std::uint32_t position, const Facet &triangle)
+                  {
+                      if (ompl_certificates::isWithin(triangles_[position].corners, triangle.corners, distance))
+                          found = position;
+                      return found != NONE;
+                  });
+        return found;
+    }
+
+    template <typename Visit>
+    void TriangleTree::visitNear(const TriangleTree &other, const Pose &pose, double margin, const Visit &visit) const
+    {
+        const Eigen::Vector3d shift = pose * other.origin_ - origin_;
         const BoxTurn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
         const auto slack = static_cast<float>(margin + BOX_ROUNDING * (extent_ + other.extent_ + shift.norm()));
@@ -129,7 +155,6 @@ namespace ompl_certificates
             return FloatBox(FourFloats{}, FourFloats{half.x(), half.y(), half.z()});
         };
         stack[open++] = {0, 0, whole(half_), whole(other.half_)};
-        Answers answers;
         while (open > 0)
         {
             const Open pair = stack[--open];
@@ -149,10 +174,8 @@ namespace ompl_certificates
                         continue;
                     const Facet triangle(other.triangles_[firstOf(pair.there) + j], pose);
                     for (std::uint32_t i = 0; left >> i != 0; ++i)
-                        if ((left >> i & 1U) != 0 &&
-                            answers.note(crossing(triangles_[firstOf(pair.here) + i], triangle, margin),
-                                         firstOf(pair.here) + i, hit))
-                            return answers.get();
+                        if ((left >> i & 1U) != 0 && visit(firstOf(pair.here) + i, triangle))
+                            return;
                 }
                 continue;
             }
@@ -181,37 +204,84 @@ namespace ompl_certificates
                     stack[open++] = {pair.here, node.child[numbers[i]], pair.boxHere, boxOf(node, numbers[i])};
             }
         }
-        return answers.get();
     }
 
     Touching TriangleTree::touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit) const
     {
         if (nodes_.empty())
             return Touching::NO;
-        const Eigen::AlignedBox3d bounds = primitive.getBounds();
+        if (!((pose * origin_).norm() < FARTHEST_BOX))
+            return Touching::UNKNOWN;
+        Answers answers;
+        visitNear(primitive.getBounds(), pose, margin,
+                  [&](std::uint32_t position)
+                  {
+                      const auto &[a, b, c] = triangles_[position].corners;
+                      return answers.note(touching(primitive, {pose * a, pose * b, pose * c}, margin), position, hit);
+                  });
+        return answers.get();
+    }
+
+    std::uint32_t TriangleTree::findWithin(const Shape &primitive, const Pose &pose, double distance) const
+    {
+        std::uint32_t found = NONE;
+        const Eigen::Vector3d center = pose * origin_;
+        if (nodes_.empty() || !(center.norm() < FARTHEST_BOX))
+            return found;
+        Eigen::AlignedBox3d bounds = primitive.getBounds();
+        Eigen::Vector3d up = Eigen::Vector3d::Zero();
+        if (primitive.getDimension() == 2)
+        {
+            // An upright prism, so high that it passes all triangles
+            up = pose.linear().col(2);
+            const Eigen::Vector3d height = (center.norm() + 2.0 * extent_) * up.cwiseAbs();
+            bounds = {bounds.min() - height, bounds.max() + height};
+        }
+        visitNear(bounds, pose, distance,
+                  [&](std::uint32_t position)
+                  {
+                      const auto &[a, b, c] = triangles_[position].corners;
+                      if (ompl_certificates::isWithin(primitive, {pose * a, pose * b, pose * c}, up, distance))
+                          found = position;
+                      return found != NONE;
+                  });
+        return found;
+    }
+
+    bool TriangleTree::isWithin(const Corners &corners, double distance) const
+    {
+        Eigen::AlignedBox3d bounds;
+        for (const Eigen::Vector3d &corner : corners)
+            bounds.extend(corner);
+        bool found = false;
+        if (!nodes_.empty() && (bounds.center() - origin_).norm() < FARTHEST_BOX)
+            visitNear(bounds, Pose::Identity(), distance,
+                      [&](std::uint32_t position)
+                      { return found = ompl_certificates::isWithin(triangles_[position].corners, corners, distance); });
+        return found;
+    }
+
+    template <typename Visit>
+    void TriangleTree::visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin,
+                                 const Visit &visit) const
+    {
         const FloatBox box(bounds);
         const Eigen::Matrix3d toHere = pose.linear().transpose();
         const Eigen::Vector3d shift = -(toHere * (pose * origin_));
-        if (!(shift.norm() < FARTHEST_BOX))
-            return Touching::UNKNOWN;
         const BoxTurn turn(toHere, shift);
         const auto slack = static_cast<float>(
             margin + BOX_ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;
-        Answers answers;
         while (open > 0)
         {
             const std::uint32_t current = stack[--open];
             if (isLeaf(current))
             {
                 for (std::uint32_t i = firstOf(current), last = i + countOf(current); i < last; ++i)
-                {
-                    const auto &[a, b, c] = triangles_[i].corners;
-                    if (answers.note(touching(primitive, {pose * a, pose * b, pose * c}, margin), i, hit))
-                        return answers.get();
-                }
+                    if (visit(i))
+                        return;
                 continue;
             }
             const Node &node = nodes_[current];
@@ -220,6 +290,5 @@ namespace ompl_certificates
             for (int i = 0; i < count; ++i)
                 stack[open++] = node.child[numbers[i]];
         }
-        return answers.get();
     }
 }

@@ -9,6 +9,7 @@
 #include "geometry/PrimitiveContact.h"
 #include "geometry/TriangleTree.h"
 #include "geometry/WideRegisters.h"
+#include "geometry/WithinDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,8 +196,34 @@ namespace ompl_certificates
         }
     }
 
+    ObstaclePart CellObstacles::findWithin(const Body &body, const Pose &pose, double distance) const
+    {
+        ObstaclePart found = NO_PART;
+        const double near = (distance + marginOf(body)) / cellSize_;
+        for (const Body::Part &part : body.getParts())
+        {
+            const Pose partPose = pose * part.pose;
+            const auto [bounds, inCells] =
+                toCells(part.shape.getBounds(), partPose, dimension_ == 2 && part.shape.getMesh());
+            forest_->visitNear(bounds, inCells, near,
+                               [&](const CellForest::Place &place, ObstaclePart box, const CellBox &cells)
+                               {
+                                   Pose toBox = partPose;
+                                   toBox.translation() -= boundsOf(cells).center();
+                                   if (areWithin(place.block->getShape(place.box), part.shape, toBox, distance))
+                                       found = box;
+                                   return found != NO_PART;
+                               });
+            if (found != NO_PART)
+                return found;
+        }
+        return found;
+    }
+
     bool CellObstacles::collides(const Body &body, const Pose &pose) const
     {
+        if (body.getPadding() > 0.0)
+            return findWithin(body, pose, body.getPadding()) != NO_PART;
         bool collides = false;
         visitTouched(body, pose, marginOf(body),
                      [&](ObstaclePart box, Touching answer)
@@ -206,7 +233,12 @@ namespace ompl_certificates
 
     Touching CellObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
-        return findTouch(body, pose, hit);
+        if (body.getPadding() == 0.0)
+            return findTouch(body, pose, hit);
+        const ObstaclePart found = findWithin(body, pose, body.getPadding());
+        if (hit && found != NO_PART)
+            *hit = found;
+        return found == NO_PART ? Touching::NO : Touching::YES;
     }
 
     OMPL_CERTIFICATES_WIDE_WHOLE Touching CellObstacles::findTouch(const Body &body, const Pose &pose,
@@ -229,14 +261,18 @@ namespace ompl_certificates
     {
         if (part >= forest_->size())
             return false;
-        const double margin = marginOf(body);
+        const double margin = marginOf(body), within = body.getPadding() - margin;
         const CellForest::Place place = forest_->at(part);
         const Shape &box = place.block->getShape(place.box);
         const Eigen::Vector3d center = boundsOf(place.getCells()).center();
-        return std::any_of(
-            body.getParts().begin(), body.getParts().end(),
-            [&](const Body::Part &bodyPart)
-            { return touchesBox(bodyPart.shape, pose * bodyPart.pose, box, center, margin) == Touching::YES; });
+        return std::any_of(body.getParts().begin(), body.getParts().end(),
+                           [&](const Body::Part &bodyPart)
+                           {
+                               const Pose partPose = pose * bodyPart.pose;
+                               return within > 0.0
+                                          ? areWithin(box, bodyPart.shape, poseAt(-center) * partPose, within)
+                                          : touchesBox(bodyPart.shape, partPose, box, center, margin) == Touching::YES;
+                           });
     }
 
     bool CellObstacles::fclCollides(const Body &body, const Pose &pose, ObstaclePart part) const
@@ -260,6 +296,8 @@ namespace ompl_certificates
         // No cell is near what is no number.
         if (!(distance >= 0.0) || !isFinite(pose))
             return false;
+        if (body.getPadding() > 0.0)
+            return findWithin(body, pose, body.getPadding() + marginOf(body) + distance) == NO_PART;
         bool isApart = true;
         visitTouched(body, pose, marginOf(body) + distance,
                      [&](ObstaclePart /*box*/, Touching /*answer*/) { return !(isApart = false); });

@@ -55,6 +55,8 @@ namespace ompl_certificates
                 require(body.getDimension() == dimension_, "they have " + std::to_string(dimension_) +
                                                                " dimensions, but body " + std::to_string(index) +
                                                                " has " + std::to_string(body.getDimension()));
+                require(body.getPadding() == 0.0 || obstacles_.knowsPadding(),
+                        "body " + std::to_string(index) + " is padded, but knowsPadding() is false");
                 require(dimension_ == 3 || obstacles_.getZInterval().contain(body.getZInterval()),
                         "their z-interval does not contain that of body " + std::to_string(index));
                 for (unsigned int i = 0; i < samples; ++i)

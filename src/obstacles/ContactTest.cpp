@@ -2,6 +2,7 @@
 
 #include "geometry/ConvexCover.h"
 #include "geometry/PrimitiveContact.h"
+#include "geometry/WithinDistance.h"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +57,44 @@ namespace ompl_certificates
                                   return false;
                               });
         return all;
+    }
+
+    ObstaclePart ContactTest::findTriangleWithin(const Shape &shape, const Pose &pose, double distance) const
+    {
+        if (shape.getKind() == Shape::Kind::BALL)
+        {
+            ObstaclePart nearest;
+            const double reach = shape.getRadius() + distance;
+            // Any limit above the distance will do.
+            return surface_.findNearest(pose.translation(), 1.001 * reach, nearest) <= reach ? nearest : NO_PART;
+        }
+        const TriangleTree &triangles = surface_.getTriangles();
+        const TriangleMesh *mesh = shape.getMesh();
+        const std::uint32_t found = mesh ? triangles.findWithin(mesh->getTree(), pose, distance)
+                                         : triangles.findWithin(shape, pose.inverse(), distance);
+        return found == TriangleTree::NONE ? NO_PART : found;
+    }
+
+    ObstaclePart ContactTest::findWithin(const Body &body, const Pose &pose, double distance) const
+    {
+        ObstaclePart found = NO_PART;
+        if (!surface_.isEmpty())
+            for (const Body::Part &part : body.getParts())
+                if (found = findTriangleWithin(part.shape, pose * part.pose, distance); found != NO_PART)
+                    return found;
+        const Ball &ball = body.getSphereTree().getRoot();
+        const double reach = ball.radius - body.getPadding() + distance + marginOf(body);
+        primitives_.visitNear(
+            {pose * ball.center, reach},
+            [&](std::size_t position)
+            {
+                const PrimitiveList::Primitive &primitive = primitives_[position];
+                for (const Body::Part &part : body.getParts())
+                    if (areWithin(primitive.shape, part.shape, primitive.toShape * pose * part.pose, distance))
+                        found = static_cast<ObstaclePart>(surface_.getTriangles().size() + position);
+                return found != NO_PART;
+            });
+        return found;
     }
 
     BatchMask ContactTest::mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const
@@ -147,6 +186,8 @@ namespace ompl_certificates
         const std::size_t triangles = surface_.getTriangles().size();
         if (obstaclePart >= triangles + primitives_.size())
             return false;
+        if (body.getPadding() > 0.0)
+            return certainlyReaches(body, pose, obstaclePart);
         const double margin = marginOf(body);
         for (const auto &part : body.getParts())
         {
@@ -157,6 +198,30 @@ namespace ompl_certificates
                 return true;
         }
         return false;
+    }
+
+    bool ContactTest::certainlyReaches(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const
+    {
+        const double distance = body.getPadding() - marginOf(body);
+        const std::size_t triangles = surface_.getTriangles().size();
+        // In the plane, a triangle may reach out of the z-interval in which it counts.
+        if (!(distance > 0.0) || (obstaclePart < triangles && dimension_ == 2))
+            return false;
+        return std::any_of(
+            body.getParts().begin(), body.getParts().end(),
+            [&](const Body::Part &part)
+            {
+                const Pose partPose = pose * part.pose;
+                if (obstaclePart >= triangles)
+                {
+                    const PrimitiveList::Primitive &primitive = primitives_[obstaclePart - triangles];
+                    return areWithin(primitive.shape, part.shape, primitive.toShape * partPose, distance);
+                }
+                const TriangleTree::Facet facet(surface_.getTriangles().getTriangle(obstaclePart), partPose.inverse());
+                const TriangleMesh *mesh = part.shape.getMesh();
+                return mesh ? mesh->getTree().isWithin(facet.corners, distance)
+                            : isWithin(part.shape, facet.corners, Eigen::Vector3d::Zero(), distance);
+            });
     }
 
     bool ContactTest::hitsTriangle(const Shape &shape, const Pose &pose, std::uint32_t triangle, double margin) const

@@ -19,8 +19,17 @@ namespace ompl_certificates
         /** \brief See FclObstacles::touches() */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
         {
-            return test(body, pose, marginOf(body), hit);
+            if (body.getPadding() == 0.0)
+                return test(body, pose, marginOf(body), hit);
+            const ObstaclePart found = findWithin(body, pose, body.getPadding());
+            if (hit && found != NO_PART)
+                *hit = found;
+            return found == NO_PART ? Touching::NO : Touching::YES;
         }
+
+        /** \brief A part of the obstacles that is within a distance of the shapes of \e body, or NO_PART: what
+            collides() says of padded bodies */
+        ObstaclePart findWithin(const Body &body, const Pose &pose, double distance) const;
 
         /** \brief See FclObstacles::mayTouch() */
         BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const;
@@ -28,7 +37,9 @@ namespace ompl_certificates
         /** \brief See FclObstacles::staysFree() */
         bool staysFree(const Body &body, const Pose &pose, double distance) const
         {
-            return test(body, pose, marginOf(body) + distance, nullptr) == Touching::NO;
+            const double within = marginOf(body) + distance;
+            return body.getPadding() == 0.0 ? test(body, pose, within, nullptr) == Touching::NO
+                                            : findWithin(body, pose, body.getPadding() + within) == NO_PART;
         }
 
         /** \brief See FclObstacles::gap() */
@@ -47,6 +58,12 @@ namespace ompl_certificates
         /** \brief Whether a body touches the obstacles. YES and NO stay true if no point of it moves by more than
             \e margin. */
         Touching test(const Body &body, const Pose &pose, double margin, ObstaclePart *hit) const;
+
+        /** \brief Whether the shapes of a body are certain to be within its padding of a part of the obstacles */
+        bool certainlyReaches(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const;
+
+        /** \brief A triangle of the obstacles that is within a distance of a shape, or NO_PART */
+        ObstaclePart findTriangleWithin(const Shape &shape, const Pose &pose, double distance) const;
 
         /** \brief gap() of one shape, whose cover is given in the body's frame */
         double gapOfCover(const ConvexCover &cover, const Pose &pose, double needed, double wanted) const;

@@ -43,6 +43,8 @@ namespace ompl_certificates
             PlacedShapes shapes;
             for (const auto &[body, pose] : obstacles)
             {
+                if (body.getPadding() > 0.0)
+                    throw ompl::Exception("Obstacles have no padding; give it to the robots' bodies");
                 if (body.getDimension() != dimension)
                     throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
                                           " dimensions, its workspace " + std::to_string(dimension));
@@ -95,6 +97,8 @@ namespace ompl_certificates
 
     bool FclObstacles::collides(const Body &body, const Pose &pose) const
     {
+        if (body.getPadding() > 0.0)
+            return contactTest_->findWithin(body, pose, body.getPadding()) != NO_PART;
         return fclCheck().collides(body, pose);
     }
 

@@ -38,6 +38,12 @@ namespace ompl_certificates
                            [&](const ObstaclesPtr &member) { return member->collides(body, pose); });
     }
 
+    bool MixedObstacles::knowsPadding() const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const ObstaclesPtr &member) { return member->knowsPadding(); });
+    }
+
     double MixedObstacles::clearance(const Eigen::Vector3d &point) const
     {
         return clearanceUpTo(point, std::numeric_limits<double>::infinity());

@@ -115,7 +115,7 @@ namespace ompl_certificates
     Touching PointCloudObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
         for (const Body::Part &part : body.getParts())
-            if (const ObstaclePart found = findHit(part.shape, pose * part.pose); found != NO_PART)
+            if (const ObstaclePart found = findHit(part.shape, pose * part.pose, body.getPadding()); found != NO_PART)
             {
                 if (hit)
                     *hit = found;
@@ -126,7 +126,7 @@ namespace ompl_certificates
 
     bool PointCloudObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
     {
-        const double within = distance + tolerance_ + exactCheckTolerance(body.getBoundingRadius());
+        const double within = body.getPadding() + distance + tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         // No point is near what is no number.
         if (!(distance >= 0.0) || !isFinite(pose))
             return false;
@@ -144,7 +144,7 @@ namespace ompl_certificates
                            [&, &point = ball](const Body::Part &bodyPart)
                            {
                                const Pose toShape = (pose * bodyPart.pose).inverse();
-                               return bodyPart.shape.isWithin(toShape * point.center, point.radius);
+                               return bodyPart.shape.isWithin(toShape * point.center, point.radius + body.getPadding());
                            });
     }
 

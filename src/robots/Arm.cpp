@@ -128,6 +128,11 @@ namespace ompl_certificates
         return model_->linkPairs.count(std::minmax(model_->links[body], arm->model_->links[otherBody])) > 0;
     }
 
+    bool Arm::isPartWith(const Arm &other) const
+    {
+        return model_->isPartWith(*other.model_);
+    }
+
     bool Arm::mayTouchObstacles(std::size_t body) const
     {
         return model_->mayTouchObstacles[body];

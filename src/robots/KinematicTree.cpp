@@ -91,7 +91,7 @@ namespace ompl_certificates
             std::vector<Body::Part> parts = body->getParts();
             for (Body::Part &part : parts)
                 part.pose.pretranslate(-middle);
-            return PlacedBody{Body(parts), poseAt(middle)};
+            return PlacedBody{Body(parts).padded(body->getPadding()), poseAt(middle)};
         }
 
         std::string noLink(const std::string &name, const std::vector<KinematicTree::Link> &links)
@@ -153,6 +153,18 @@ namespace ompl_certificates
                 ++link.parent;
             tree.add(std::move(link));
         }
+        return tree;
+    }
+
+    KinematicTree KinematicTree::padded(const std::map<std::string, double> &paddings) const
+    {
+        KinematicTree tree = *this;
+        for (const auto &[name, padding] : paddings)
+            if (Link &link = tree.links_[getLinkIndex(name)]; link.body)
+            {
+                link.body = link.body->padded(padding);
+                link.centered->body = link.centered->body.padded(padding);
+            }
         return tree;
     }
 

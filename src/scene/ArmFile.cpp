@@ -218,6 +218,7 @@ namespace ompl_certificates
         // They may name each other, in any order.
         for (const AttachedBody &body : settings.attached)
             requireLinks("touch links of attached body '" + body.name + "'", tree, body.touchLinks);
+        tree = padded(tree, settings);
         for (const TouchableObstacle &obstacle : settings.touchable)
         {
             requireLinks("touch links of obstacle '" + obstacle.name + "'", tree, obstacle.touchLinks);
@@ -227,6 +228,15 @@ namespace ompl_certificates
             tree.addLink(tree.getLinks().front().name, fixed, obstacle.name, obstacle.body);
         }
         return tree;
+    }
+
+    KinematicTree ArmFile::padded(const KinematicTree &tree, const ArmSettings &settings)
+    {
+        requireLinks("padding", tree, keysOf(settings.linkPadding));
+        std::map<std::string, double> paddings = settings.linkPadding;
+        for (const KinematicTree::Link &link : tree.getLinks())
+            paddings.try_emplace(link.name, settings.padding);
+        return tree.padded(paddings);
     }
 
     bool ArmFile::isSampled(const ArmSettings &settings) const

@@ -91,8 +91,8 @@ namespace ompl_certificates
         public:
             PairCheck(const Arm &arm, const BodyPair &bodies)
               : pair(bodies)
-              , body_(arm.getBodies()[bodies.first])
-              , other_(arm.getBodies()[bodies.second])
+              , body_(arm.getBodies()[bodies.first].withoutPadding())
+              , other_(arm.getBodies()[bodies.second].withoutPadding())
               , margin_(fclTolerance(shapesOf(other_), 0.0) + exactCheckTolerance(body_.getBoundingRadius()))
             {
             }

@@ -5,6 +5,7 @@
 #include "MoveItPlanes.h"
 #include "MoveItRobotState.h"
 #include "MoveItWorld.h"
+#include "YamlShapes.h"
 #include "YamlText.h"
 #include "files/WholeFile.h"
 
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <ompl/util/Exception.h>
 #include <set>
-#include <tuple>
 
 namespace ompl_certificates
 {
@@ -105,16 +105,27 @@ namespace ompl_certificates
             return !isDifference || !moveItItems(root.at("allowed_collision_matrix"), "entry_names").empty();
         }
 
-        void refusePadding(const YamlNode &root)
+        void refuseScale(const YamlNode &root)
         {
-            for (const auto &[key, value, neutral] :
-                 {std::tuple{"link_padding", "padding", 0.0}, {"link_scale", "scale", 1.0}})
-                for (const YamlNode &item : moveItItems(root, key))
-                {
-                    item.allow({"link_name", value});
-                    if (item.at(value).number() != neutral)
-                        item.at(value).fail("is not supported but as " + std::to_string(static_cast<int>(neutral)));
-                }
+            for (const YamlNode &item : moveItItems(root, "link_scale"))
+            {
+                item.allow({"link_name", "scale"});
+                if (item.at("scale").number() != 1.0)
+                    item.at("scale").fail("is not supported but as 1");
+            }
+        }
+
+        std::map<std::string, double> readLinkPadding(const YamlNode &root, const KinematicTree &tree)
+        {
+            std::map<std::string, double> paddings;
+            for (const YamlNode &item : moveItItems(root, "link_padding"))
+            {
+                item.allow({"link_name", "padding"});
+                const YamlNode link = item.at("link_name");
+                link.orFail([&] { return tree.getLinkIndex(link.text()); });
+                paddings[link.text()] = readDistance(item.at("padding"));
+            }
+            return paddings;
         }
 
         std::optional<ob::RealVectorBounds> readWorkspace(const YamlNode &request)
@@ -252,7 +263,7 @@ namespace ompl_certificates
                         "max_acceleration_scaling_factor", "cartesian_speed_end_effector_link",
                         "cartesian_speed_limited_link", "max_cartesian_speed"});
             refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
-            refusePadding(root);
+            refuseScale(root);
         }
 
         ArmFile::ArmSettings settingsOf(const YamlNode &wish, const MoveItRobotState &state)
@@ -329,6 +340,7 @@ namespace ompl_certificates
             const std::string group = groupNode.text();
             ArmFile::ArmSettings settings = settingsOf(wish, state);
             setOtherJoints(robot.getTree(), settings);
+            settings.linkPadding = readLinkPadding(root, robot.getTree());
             std::optional<MoveItMatrix> matrix;
             if (hasMatrix(root))
             {

@@ -1,6 +1,7 @@
 #include "SceneCollision.h"
 
 #include "robots/ContactText.h"
+#include "robots/PairPadding.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -46,9 +47,10 @@ namespace ompl_certificates
                                   });
             for (const BodyPair &pair : pairs)
             {
-                const PlacedBody other{second.getBodies()[pair.second], others[pair.second]};
-                if (FclObstacles({other}, other.body.getDimension())
-                        .collides(first.getBodies()[pair.first], poses[pair.first]))
+                const PlacedBody other{second.getBodies()[pair.second].withoutPadding(), others[pair.second]};
+                const Body body =
+                    first.getBodies()[pair.first].padded(paddingBetween(first, pair.first, second, pair.second));
+                if (FclObstacles({other}, other.body.getDimension()).collides(body, poses[pair.first]))
                     return pair;
             }
             return std::nullopt;

@@ -146,6 +146,26 @@ namespace ompl_certificates
             return robot.has("group") ? robot.at("group").text() : "";
         }
 
+        /** Read the paddings of a part; \e first is the name of the first one, if this is another. */
+        void readPaddings(const YamlNode &node, const std::string *first, ArmFile::ArmSettings &settings)
+        {
+            const double padding = readPadding(node);
+            if (first && padding != settings.padding)
+                (node.has("padding") ? node.at("padding") : node)
+                    .fail("the padding must be that of robot '" + *first +
+                          "', which is of the same mechanism: " + shortestText(settings.padding));
+            settings.padding = padding;
+            if (!node.has("link_padding"))
+                return;
+            const YamlNode links = node.at("link_padding");
+            for (const std::string &link : links.keys())
+            {
+                const double own = readDistance(links.at(link));
+                if (const double known = settings.linkPadding.emplace(link, own).first->second; known != own)
+                    links.at(link).fail("must be " + shortestText(known) + ", as for another robot of the mechanism");
+            }
+        }
+
         /** Require that the bounds of a part are \e bounds, those of the first part. */
         void requireBounds(const YamlNode &node, const ompl::base::RealVectorBounds &bounds, const std::string &first)
         {
@@ -360,6 +380,7 @@ namespace ompl_certificates
                 addNamed(node.at("attached"), "attached body", readAttached, meshes, settings.attached);
             if (node.has("touchable"))
                 addNamed(node.at("touchable"), "touchable obstacle", readTouchable, meshes, settings.touchable);
+            readPaddings(node, part == parts.front() ? nullptr : &names.front().name, settings);
             if (node.has("may_touch_obstacles"))
                 for (const YamlNode &link : node.at("may_touch_obstacles").items(0, MAX_LINK_NAMES))
                     settings.mayTouchObstacles.push_back(link.text());

@@ -91,6 +91,10 @@ namespace ompl_certificates
         }
         if (!node.has("self_collision") || node.at("self_collision").boolean())
             options.linkPairs = namedPairsOf(tree);
+        std::map<std::string, double> paddings;
+        for (const KinematicTree::Link &link : tree.getLinks())
+            paddings.emplace(link.name, readPadding(node));
+        tree = tree.padded(paddings);
         const auto arm =
             node.at("links").orFail([&] { return std::make_shared<const Arm>(name, tree, joints, options); });
         member.robot = arm;

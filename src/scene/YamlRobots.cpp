@@ -133,12 +133,14 @@ namespace ompl_certificates
             return makeRigid(name, layout, body, bounds);
         }
 
-        RobotPtr makeKnown(const std::string &name, const KnownType &type, const ob::RealVectorBounds &bounds)
+        RobotPtr makeKnown(const std::string &name, const KnownType &type, double padding,
+                           const ob::RealVectorBounds &bounds)
         {
-            const Body body = type.size[1] > 0.0 ? Body::box(type.size[0], type.size[1]) : Body::disc(type.size[0]);
+            const Body shape = type.size[1] > 0.0 ? Body::box(type.size[0], type.size[1]) : Body::disc(type.size[0]);
+            const Body body = shape.padded(padding);
             if (type.layout == Layout::TRAILER)
-                return std::make_shared<CarWithTrailer>(name, body, Body::box(TRAILER_SIZE[0], TRAILER_SIZE[1]),
-                                                        TRAILER_HITCH, bounds);
+                return std::make_shared<CarWithTrailer>(
+                    name, body, Body::box(TRAILER_SIZE[0], TRAILER_SIZE[1]).padded(padding), TRAILER_HITCH, bounds);
             return makeRigid(name, type.layout, body, bounds);
         }
 
@@ -150,7 +152,9 @@ namespace ompl_certificates
             const bool selfCollision = node.has("self_collision") && node.at("self_collision").boolean();
             if (selfCollision && FclObstacles({{car}}, 2).collides(trailer, planarPose(-hitchLength, 0.0)))
                 node.at("self_collision").fail("car and trailer touch even when they are in line");
-            return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, bounds, selfCollision);
+            const double padding = readPadding(node);
+            return std::make_shared<CarWithTrailer>(name, car.padded(padding), trailer.padded(padding), hitchLength,
+                                                    bounds, selfCollision);
         }
 
         void chooseGoal(const YamlNode &robot, Scene::Member &member)
@@ -218,7 +222,7 @@ namespace ompl_certificates
         {
             const unsigned int dimension = input.scene.getDimension();
             const Layout layout = readSpace(input.node.at("space"), dimension);
-            const Body body = readBody(input.node, dimension, input.meshes);
+            const Body body = readBody(input.node, dimension, input.meshes).padded(readPadding(input.node));
             member.robot = confined(makeRigid(input.name, input.node, layout, body, input.bounds), input);
             readEnds(input, layout, 0, member);
         }
@@ -242,7 +246,7 @@ namespace ompl_certificates
         void readKnownRobot(const RobotInput &input, Scene::Member &member)
         {
             const KnownType &known = *findType(input.node.at("type").text());
-            member.robot = confined(makeKnown(input.name, known, input.bounds), input);
+            member.robot = confined(makeKnown(input.name, known, readPadding(input.node), input.bounds), input);
             if (input.dynamics)
                 member.robot = withDynamics(known.name, member.robot);
             readEnds(input, known.layout, known.velocities, member);
@@ -265,24 +269,42 @@ namespace ompl_certificates
             static const std::vector<RobotType> types{
                 {"rigid",
                  {"type", "name", "space", "turning_radius", "shape", "shapes", "start", "goal", "weight", "speed",
-                  "bounds", "keep_out"},
+                  "bounds", "keep_out", "padding"},
                  true,
                  true,
                  readRigidRobot},
                 {"car_with_trailer",
                  {"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
-                  "speed", "bounds", "keep_out"},
+                  "speed", "bounds", "keep_out", "padding"},
                  true,
                  false,
                  readCarWithTrailer},
                 {"arm",
-                 {"type", "name", "base", "links", "self_collision", "start", "goal", "weight", "speed"},
+                 {"type", "name", "base", "links", "self_collision", "start", "goal", "weight", "speed", "padding"},
                  true,
                  false,
                  readPlanarArm},
                 {"urdf",
-                 {"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
-                  "attached", "touchable", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"},
+                 {"type",
+                  "name",
+                  "file",
+                  "srdf",
+                  "group",
+                  "base",
+                  "joints",
+                  "states",
+                  "visuals",
+                  "packages",
+                  "attached",
+                  "touchable",
+                  "may_touch_obstacles",
+                  "padding",
+                  "link_padding",
+                  "start",
+                  "goal",
+                  "weight",
+                  "speed",
+                  "bounds"},
                  false,
                  true,
                  readUrdfArm}};
@@ -291,11 +313,12 @@ namespace ompl_certificates
 
         const RobotType &robotTypeOf(const YamlNode &node)
         {
-            static const RobotType known{"of db-CBS",
-                                         {"type", "name", "start", "goal", "weight", "speed", "bounds", "keep_out"},
-                                         true,
-                                         false,
-                                         readKnownRobot};
+            static const RobotType known{
+                "of db-CBS",
+                {"type", "name", "start", "goal", "weight", "speed", "bounds", "keep_out", "padding"},
+                true,
+                false,
+                readKnownRobot};
             const std::string name = node.text();
             if (findType(name))
                 return known;

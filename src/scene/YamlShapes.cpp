@@ -143,6 +143,19 @@ namespace ompl_certificates
         return angle;
     }
 
+    double readDistance(const YamlNode &node)
+    {
+        const double distance = node.number();
+        if (distance < 0.0)
+            node.fail("must not be negative");
+        return distance;
+    }
+
+    double readPadding(const YamlNode &node)
+    {
+        return node.has("padding") ? readDistance(node.at("padding")) : 0.0;
+    }
+
     Eigen::Matrix3d readRotation(const YamlNode &node)
     {
         if (node.has("rotation") && node.has("quaternion"))

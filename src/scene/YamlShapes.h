@@ -13,6 +13,12 @@ namespace ompl_certificates
     /** \brief An angle in radians; noted if it is more than a whole turn, as one in degrees mostly is */
     double readAngle(const YamlNode &node);
 
+    /** \brief A distance: a number that is not negative */
+    double readDistance(const YamlNode &node);
+
+    /** \brief What \e node has under padding; 0 if it has none */
+    double readPadding(const YamlNode &node);
+
     /** \brief What \e node has under rotation or under quaternion; no rotation if it has neither */
     Eigen::Matrix3d readRotation(const YamlNode &node);
 

@@ -3,6 +3,7 @@
 
 #include "certificates/CertifiedEnvironment.h"
 #include "geometry/BodyContact.h"
+#include "geometry/WithinDistance.h"
 #include "obstacles/FclTolerance.h"
 #include "obstacles/SpatialCheck.h"
 
@@ -20,7 +21,7 @@ namespace ompl_certificates
     class BodyFrame
     {
     public:
-        /** \brief The frame of \e body; \e limit is that of its certificates */
+        /** \brief The frame of \e body, which has no padding; \e limit is that of its certificates */
         BodyFrame(const Body &body, const ZInterval &zInterval, std::shared_ptr<CertificateLimit> limit)
           : body_(body), zInterval_(zInterval), limit_(std::move(limit)), tolerance_(fclTolerance(shapesOf(body), 0.0))
         {
@@ -37,14 +38,18 @@ namespace ompl_certificates
         {
             if (body_.getDimension() == 2)
                 return getObstacles().touches(other, pose, nullptr);
+            if (other.getPadding() > 0.0)
+                return collides(other, pose) ? Touching::YES : Touching::NO;
             return touching(body_, other, pose, getContactMargin(other));
         }
 
-        /** \brief Whether another body touches this one, by FCL */
+        /** \brief Whether another body touches this one, by FCL, or by areWithin() if it is padded */
         bool collides(const Body &other, const Pose &pose) const
         {
             if (body_.getDimension() == 2)
                 return getObstacles().collides(other, pose);
+            if (other.getPadding() > 0.0)
+                return areWithin(body_, other, pose, other.getPadding());
             // FCL alone needs nothing else, and as obstacles the body may have a tree to be made.
             std::call_once(fclMade_, [this] { fcl_ = std::make_unique<SpatialCheck>(shapesOf(body_)); });
             return fcl_->collides(other, pose);

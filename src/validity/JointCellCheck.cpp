@@ -130,7 +130,8 @@ namespace ompl_certificates
             return Answer::UNKNOWN;
         // Where the other coordinates have taken the bodies, far from the origin, their relative pose is less precise.
         const double within = inCell + RELATIVE_POSE_ROUNDING * (one.translation().norm() + other.translation().norm());
-        const Body &first = description_.getBodies()[pair_.first], &second = description_.getBodies()[pair_.second];
+        const Body first = description_.getBodies()[pair_.first].withoutPadding(),
+                   second = description_.getBodies()[pair_.second].withoutPadding();
         const double needed = margin_ + within;
         Eigen::Vector3d direction = Eigen::Vector3d::Zero();
         if (convexGap(first, second, relative, needed, needed, direction) > needed)

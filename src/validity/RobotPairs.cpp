@@ -5,6 +5,7 @@
 #include "certificates/CertifiedEnvironment.h"
 #include "geometry/ConvexCover.h"
 #include "geometry/Infinity.h"
+#include "robots/PairPadding.h"
 
 #include <algorithm>
 #include <ompl/base/ScopedState.h>
@@ -63,7 +64,7 @@ namespace ompl_certificates
                 bodies.robot = i;
                 bodies.ownPair = k;
                 if (const auto cells = makesCertificates(method) ? team.getRobot(i).getJointCells(k) : nullptr;
-                    cells && bodies.frame)
+                    cells && bodies.frame && bodies.lookedUp().getPadding() == 0.0)
                     bodies.cells.emplace(i, team.getRobot(i), k, cells, bodies.margin,
                                          bodies.frame->getContactMargin(bodies.lookedUp()));
                 pairs_.back().bodies.push_back(bodies);
@@ -101,14 +102,18 @@ namespace ompl_certificates
     TwoBodies RobotPairs::makeTwoBodies(const Team &team, unsigned int first, std::size_t a, unsigned int second,
                                         std::size_t b)
     {
-        const Body &one = team.getRobot(first).getBodies()[a], &other = team.getRobot(second).getBodies()[b];
+        const Robot &firstRobot = team.getRobot(first), &secondRobot = team.getRobot(second);
+        const Body &bodyA = firstRobot.getBodies()[a], &bodyB = secondRobot.getBodies()[b];
+        const double padding = paddingBetween(firstRobot, a, secondRobot, b);
         TwoBodies bodies;
         bodies.firstIndex = team.getFirstBody(first) + a;
         bodies.secondIndex = team.getFirstBody(second) + b;
+        // The body with fewer spheres is looked up in the frame of the other, and has all of the padding.
+        bodies.swapped = bodyB.getSphereTree().getNodes().size() < bodyA.getSphereTree().getNodes().size();
+        const Body &one = paddedBody(bodyA, bodies.swapped ? 0.0 : padding),
+                   &other = paddedBody(bodyB, bodies.swapped ? padding : 0.0);
         bodies.first = &one;
         bodies.second = &other;
-        // The body with fewer spheres is looked up in the frame of the other.
-        bodies.swapped = other.getSphereTree().getNodes().size() < one.getSphereTree().getNodes().size();
         bodies.frame =
             one.isBall() && other.isBall() ? nullptr : frameOf(bodies.swapped ? one : other, team.getZInterval());
         bodies.margin = 2.0 * exactCheckTolerance(one.getBoundingRadius() + other.getBoundingRadius()) +
@@ -118,6 +123,18 @@ namespace ompl_certificates
             (1.0 + SQUARES_ROUNDING);
         bodies.centersWithin = areCentersWithin(one) && areCentersWithin(other);
         return bodies;
+    }
+
+    const Body &RobotPairs::paddedBody(const Body &body, double padding)
+    {
+        if (body.getPadding() == padding)
+            return body;
+        const Body wanted = body.padded(padding);
+        for (const auto &known : paddedBodies_)
+            if (*known == wanted)
+                return *known;
+        paddedBodies_.push_back(std::make_unique<const Body>(wanted));
+        return *paddedBodies_.back();
     }
 
     BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)

@@ -182,6 +182,9 @@ namespace ompl_certificates
 
         BodyFrame *frameOf(const Body &body, const ZInterval &zInterval);
 
+        /** \brief A body with another padding, which lives as long as this object */
+        const Body &paddedBody(const Body &body, double padding);
+
         const Method method_;
         const std::shared_ptr<CertificateLimit> limit_;
         const unsigned int robotCount_;
@@ -190,6 +193,7 @@ namespace ompl_certificates
         /** \brief Whether some pair of robots has one pair of bodies */
         bool hasSimplePairs_{false};
         std::vector<std::unique_ptr<BodyFrame>> frames_;
+        std::vector<std::unique_ptr<const Body>> paddedBodies_;
     };
 }
 

@@ -38,6 +38,14 @@ namespace ompl_certificates
                 throw ompl::Exception("The obstacles have " + std::to_string(obstacles->getDimension()) +
                                       " dimensions, the team's workspace " +
                                       std::to_string(team.getWorkspaceDimension()));
+            const auto isPadded = [](const RobotPtr &robot)
+            {
+                const std::vector<Body> &bodies = robot->getBodies();
+                return std::any_of(bodies.begin(), bodies.end(),
+                                   [](const Body &body) { return body.getPadding() > 0.0; });
+            };
+            if (!obstacles->knowsPadding() && std::any_of(team.getRobots().begin(), team.getRobots().end(), isPadded))
+                throw ompl::Exception("The obstacles know nothing of padded bodies: see Obstacles::knowsPadding()");
             if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
                 throw ompl::Exception(
                     "The obstacles' z-interval does not contain the robots'; give them "

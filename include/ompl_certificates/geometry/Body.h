@@ -16,7 +16,8 @@ namespace ompl_certificates
     class ConvexCover;
     struct PlacedBody;
 
-    /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
+    /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame, and a padding: all points
+        within that distance of a shape belong to the body, too.
 
         A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
         factories throw ompl::Exception for sizes that are not positive and finite, unless 0 is allowed. Lengths are in
@@ -96,6 +97,26 @@ namespace ompl_certificates
             tilted, or if a pose is not finite, scales or mirrors */
         explicit Body(std::vector<Part> parts);
 
+        /** \brief The same shapes with a padding: a body that keeps this distance from obstacles. Two bodies keep the
+            sum of their paddings from each other; those of one robot are checked without. It is exact, with round
+            corners: a padded box is no larger box. FCL has no such check, so padded bodies have one of this library,
+            whatever the method. Obstacles are not padded.
+            \param padding the distance, in the scene's length unit, in place of the present one; 0 for none
+            \throws ompl::Exception if it is negative or not finite */
+        Body padded(double padding) const;
+
+        /** \brief The distance around the shapes that belongs to the body, too; 0 unless padded() */
+        double getPadding() const
+        {
+            return data_->padding;
+        }
+
+        /** \brief The shapes alone; the body itself unless padded() */
+        Body withoutPadding() const
+        {
+            return data_->base ? Body(data_->base) : *this;
+        }
+
         /** \brief The dimension of the workspace that this body is for: 2 or 3 */
         unsigned int getDimension() const;
 
@@ -111,7 +132,7 @@ namespace ompl_certificates
             return data_->getBalls().sphereTree;
         }
 
-        /** \brief A convex set around each of the shapes, in the body's frame. Made when first asked for: see
+        /** \brief A convex set around each of the shapes and its padding, in the body's frame. Made when first asked for: see
             ConvexCover. */
         const std::vector<ConvexCover> &getConvexCovers() const;
 
@@ -142,13 +163,13 @@ namespace ompl_certificates
         }
 
         /** \brief The smallest box along the axes of the body's frame that contains the boxes of its shapes, each
-            along its own axes */
+            along its own axes, and the padding around them */
         const Eigen::AlignedBox3d &getBounds() const
         {
             return data_->bounds;
         }
 
-        /** \brief A ball around each of the shapes, in the body's frame */
+        /** \brief A ball around each of the shapes and its padding, in the body's frame */
         const std::vector<Ball> &getPartBalls() const
         {
             return data_->partBalls;
@@ -161,11 +182,11 @@ namespace ompl_certificates
             return data_->zInterval;
         }
 
-        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside
-            primitives. Linear in the number of triangles of a mesh. */
+        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body, less the padding;
+            negative inside primitives. Linear in the number of triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
-        /** \brief Whether the two bodies have the same shapes at the same poses, in the same order */
+        /** \brief Whether the two bodies have the same shapes at the same poses, in the same order, and one padding */
         bool operator==(const Body &other) const;
 
     private:
@@ -180,6 +201,9 @@ namespace ompl_certificates
         struct Data
         {
             std::vector<Part> parts;
+            double padding{0.0};
+            /** \brief The body without its padding; null if it has none */
+            std::shared_ptr<Data> base;
             bool isBall{false};
             double boundingRadius{0.0};
             Eigen::AlignedBox3d bounds;
@@ -199,6 +223,10 @@ namespace ompl_certificates
 
             const Balls &makeBalls() const;
         };
+
+        explicit Body(std::shared_ptr<Data> data) : data_(std::move(data))
+        {
+        }
 
         std::shared_ptr<Data> data_;
     };

@@ -45,6 +45,11 @@ namespace ompl_certificates
 
         /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its
             box */
+        bool knowsPadding() const override
+        {
+            return true;
+        }
+
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
@@ -143,6 +148,9 @@ namespace ompl_certificates
         /** \brief Whether a part of a body touches a box */
         Touching touchesBox(const Shape &shape, const Pose &pose, const Shape &box, const Eigen::Vector3d &center,
                             double margin) const;
+
+        /** \brief A box that is within a distance of the shapes of a body, or NO_PART: the check of padded bodies */
+        ObstaclePart findWithin(const Body &body, const Pose &pose, double distance) const;
 
         /** \brief FCL's verdict on a body and one box */
         bool fclCollides(const Body &body, const Pose &pose, ObstaclePart part) const;

@@ -33,7 +33,7 @@ namespace ompl_certificates
             \param zInterval in the plane: the z-interval of the robots, see TeamStateSpace::getZInterval(). Parts of
             planar meshes outside it do not count, and checkers refuse robots that exceed it. The z-interval of
             primitives is unbounded.
-            \throws ompl::Exception if an obstacle has another dimension or a pose that is not finite, scales or
+            \throws ompl::Exception if an obstacle has a padding, another dimension or a pose that is not finite, scales or
             mirrors. In the plane also if it is tilted, or is no mesh and not at z = 0. A rotation may be rounded to
             three decimals: the nearest true one is taken. */
         FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension, const ZInterval &zInterval = {});
@@ -61,6 +61,11 @@ namespace ompl_certificates
         }
 
         bool collides(const Body &body, const Pose &pose) const override;
+
+        bool knowsPadding() const override
+        {
+            return true;
+        }
 
         double clearance(const Eigen::Vector3d &point) const override;
 

@@ -28,6 +28,8 @@ namespace ompl_certificates
 
         bool collides(const Body &body, const Pose &pose) const override;
 
+        bool knowsPadding() const override;
+
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;

@@ -49,8 +49,17 @@ namespace ompl_certificates
             return {};
         }
 
-        /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for. */
+        /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for.
+
+            A padded body touches what is within its padding of its shapes; see knowsPadding(). */
         virtual bool collides(const Body &body, const Pose &pose) const = 0;
+
+        /** \brief Whether all methods heed Body::getPadding(). Checkers refuse teams of padded bodies else. False by
+            default: own obstacles that look at a body's shapes alone would find too few collisions. */
+        virtual bool knowsPadding() const
+        {
+            return false;
+        }
 
         /** \brief The clearance φ of a point of the workspace: its distance to the nearest obstacle point. Negative
             inside a solid where known, infinite without obstacles.

@@ -47,6 +47,11 @@ namespace ompl_certificates
         bool collides(const Body &body, const Pose &pose) const override;
 
         /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 1.7 µs. */
+        bool knowsPadding() const override
+        {
+            return true;
+        }
+
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
@@ -86,8 +91,8 @@ namespace ompl_certificates
 
         PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius, unsigned int dimension);
 
-        /** \brief The first point found that a shape touches, or is within some distance of; else NO_PART */
-        ObstaclePart findHit(const Shape &shape, const Pose &pose, double within = 0.0) const;
+        /** \brief The first point found that is within a distance of a shape; else NO_PART */
+        ObstaclePart findHit(const Shape &shape, const Pose &pose, double within) const;
 
         unsigned int dimension_;
         std::unique_ptr<const PointForest> forest_;

@@ -138,6 +138,10 @@ namespace ompl_certificates
             collide; see ArmOptions::links. Costs a comparison of the trees. */
         bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;
 
+        /** \brief Whether both arms are parts of one mechanism; see ArmOptions::links. Costs a comparison of the trees.
+            */
+        bool isPartWith(const Arm &other) const;
+
         /** \brief Whether the body's link is one of ArmOptions::mayTouchObstacles or ArmOptions::obstacles */
         bool mayTouchObstacles(std::size_t body) const override;
 

@@ -116,6 +116,11 @@ namespace ompl_certificates
             \throws ompl::Exception as addLink() */
         KinematicTree hungOn(const std::string &root, const Joint &joint) const;
 
+        /** \brief The same tree with bodies that are padded, see Body::padded()
+            \param paddings that of each link that is to have one; links without a body have none
+            \throws ompl::Exception if there is no such link, or a padding is negative or not finite */
+        KinematicTree padded(const std::map<std::string, double> &paddings) const;
+
         /** \brief Check what can be checked only when all joints are there: that each joint that is mimicked exists,
             has one coordinate, and mimics none itself. Arm calls it.
             \throws ompl::Exception that names the joint */

@@ -123,6 +123,13 @@ namespace ompl_certificates
                 that is bolted to a table; see Robot::mayTouchObstacles() */
             std::vector<std::string> mayTouchObstacles{};
 
+            /** \brief The distance that all links and attached bodies keep from obstacles; see Body::padded(). The arm's
+                links are checked against each other without. */
+            double padding{0.0};
+
+            /** \brief That of links and attached bodies which have another one */
+            std::map<std::string, double> linkPadding{};
+
             /** \brief Whether two links or attached bodies may touch, in place of what the SRDF file says of them */
             std::function<bool(const std::string &first, const std::string &second)> mayTouch{};
         };
@@ -239,6 +246,9 @@ namespace ompl_certificates
         [[noreturn]] void failWithoutJoint(const std::string &group) const;
 
         KinematicTree treeFor(const std::vector<std::string> &group, const ArmSettings &settings) const;
+
+        /** \brief \e tree, whose links have the paddings of \e settings */
+        static KinematicTree padded(const KinematicTree &tree, const ArmSettings &settings);
 
         std::string urdf_, srdf_, name_;
         KinematicTree tree_;
