@@ -217,6 +217,7 @@ namespace
         // Certificates may grow in the file that they come from.
         if (!demos::isSameFile(options.loadedCertificates, options.savedCertificates))
             inputs.push_back(options.loadedCertificates);
+        inputs.insert(inputs.end(), scene.getFiles().begin(), scene.getFiles().end());
         demos::prepareOutputs(demos::outputsOf(options), inputs);
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length" || options.first)

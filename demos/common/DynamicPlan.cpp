@@ -138,7 +138,9 @@ namespace demos
         TeamControlSetup &setup = *owner;
         setup.setPlanner(makeControlPlanner(planner, setup.getSpaceInformation()));
         setParameters(options, *setup.getPlanner());
-        prepareOutputs(outputsOf(options), {options.scene});
+        std::vector<std::string> inputs = scene.getFiles();
+        inputs.push_back(options.scene);
+        prepareOutputs(outputsOf(options), inputs);
         setup.setNearestStructure(nearestStructureOf(options.nearest));
         setup.setup();
         setup.getStatistics().reset();

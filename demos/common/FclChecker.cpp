@@ -85,6 +85,9 @@ namespace demos
             const auto &bodies = member.robot->getBodies();
             mostBodies = std::max(mostBodies, bodies.size());
             robots_.push_back({member.robot, {}});
+            if (std::any_of(bodies.begin(), bodies.end(), [](const Body &body) { return body.getPadding() > 0.0; }))
+                throw ompl::Exception("robot '" + member.robot->getName() + "'",
+                                      "has a padding, of which FCL's check knows nothing");
             for (std::size_t body = 0; body < bodies.size(); ++body)
                 for (const Body::Part &part : bodies[body].getParts())
                     robots_.back().parts.push_back(

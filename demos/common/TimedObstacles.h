@@ -57,6 +57,11 @@ namespace demos
             return obstacles_->hasGap();
         }
 
+        bool knowsPadding() const override
+        {
+            return obstacles_->knowsPadding();
+        }
+
         bool provesCollisions() const override
         {
             return obstacles_->provesCollisions();

@@ -406,6 +406,41 @@ def test_cars_drive_the_way_that_they_point() -> None:
         oc.Robot.rigid("car", oc.Body.sphere(0.4), [0] * 3, [1] * 3, turning_radius=1.0)
 
 
+def test_padded_bodies_keep_a_distance() -> None:
+    box = oc.Body.box(1, 1).padded(0.25)
+    assert box.padding == 0.25 and box != oc.Body.box(1, 1) and box.padded(0) == oc.Body.box(1, 1)
+    assert "padding 0.25" in repr(box)
+    scene = oc.Scene([-9, -9], [9, 9])
+    scene.add_obstacle(oc.Body.box(2, 2), name="block")
+    scene.add_robot(oc.Robot.rigid("r", box, [-9, -9], [9, 9]), [-5, 0, 0], [5, 0, 0])
+    for method in ("fcl", "standard", "basic", "partial", "shared"):
+        checker = oc.Checker(scene, method=method)
+        assert checker.is_valid([[1.76, 0, 0], [1.74, 0, 0], [1.68, 1.68, 0], [1.67, 1.67, 0]]).tolist() == [
+            True,
+            False,
+            True,
+            False,
+        ]
+    assert checker.describe_collision([1.74, 0, 0]) == "robot 'r' touches obstacle 'block', within its padding of 0.25"
+    plan = oc.plan(scene, time=20, first=True, motion="continuous")
+    assert plan.solved and plan.prove()
+    with pytest.raises(oc.Error, match="^The padding of a body must be finite and not negative"):
+        oc.Body.disc(1).padded(-1)
+    with pytest.raises(oc.Error, match="^Obstacles have no padding"):
+        scene.add_obstacle(box)
+        oc.Checker(scene)
+
+
+def test_links_keep_a_distance(scenes: pathlib.Path) -> None:
+    file = oc.ArmFile(scenes / "arms/arm6.urdf", scenes / "arms/arm6.srdf")
+    assert {body.padding for body in file.arm("arm").bodies} == {0.0}
+    assert {body.padding for body in file.arm("arm", padding=0.02).bodies} == {0.02}
+    paddings = [body.padding for body in file.arm("arm", padding={"palm": 0.05}).bodies]
+    assert sorted(set(paddings)) == [0.0, 0.05] and paddings.count(0.05) == 1
+    with pytest.raises(oc.Error, match="padding: there is no link 'plam'; did you mean palm"):
+        file.arm("arm", padding={"plam": 0.05})
+
+
 ZONE: List[Tuple[oc.Body, Any]] = [(oc.Body.box(2, 2), (5, 0))]
 
 

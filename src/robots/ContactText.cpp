@@ -1,5 +1,8 @@
 #include "ContactText.h"
 
+#include "PairPadding.h"
+#include "geometry/ShortestText.h"
+
 #include "ompl_certificates/robots/Arm.h"
 
 namespace ompl_certificates
@@ -39,7 +42,9 @@ namespace ompl_certificates
     std::string describeTouch(const Robot &robot, std::size_t body, const std::string &obstacle)
     {
         const std::string name = nameOfBody(robot, body);
-        return "touches " + obstacle + (name.empty() ? "" : " with " + name);
+        const double padding = robot.getBodies()[body].getPadding();
+        return "touches " + obstacle + (name.empty() ? "" : " with " + name) +
+               (padding > 0.0 ? ", within its padding of " + shortestText(padding) : "");
     }
 
     std::string describeOwnContact(const Robot &robot, const BodyPair &pair)
@@ -60,6 +65,7 @@ namespace ompl_certificates
         };
         add(first, nameOfBody(first, body));
         add(second, nameOfBody(second, otherBody));
-        return text;
+        const double padding = paddingBetween(first, body, second, otherBody);
+        return text + (padding > 0.0 ? ", within their padding of " + shortestText(padding) : "");
     }
 }

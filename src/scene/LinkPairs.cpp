@@ -1,7 +1,9 @@
 #include "LinkPairs.h"
 
 #include "geometry/BodyContact.h"
+#include "geometry/WithinDistance.h"
 #include "obstacles/FclTolerance.h"
+#include "robots/PairPadding.h"
 #include "validity/BodyPreparation.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
@@ -91,7 +93,7 @@ namespace ompl_certificates
         public:
             PairCheck(const Arm &arm, const BodyPair &bodies)
               : pair(bodies)
-              , body_(arm.getBodies()[bodies.first].withoutPadding())
+              , body_(arm.getBodies()[bodies.first].padded(paddingBetween(arm, bodies.first, arm, bodies.second)))
               , other_(arm.getBodies()[bodies.second].withoutPadding())
               , margin_(fclTolerance(shapesOf(other_), 0.0) + exactCheckTolerance(body_.getBoundingRadius()))
             {
@@ -100,6 +102,8 @@ namespace ompl_certificates
             bool collides(const std::vector<Pose> &poses)
             {
                 const Pose pose = poses[pair.second].inverse() * poses[pair.first];
+                if (body_.getPadding() > 0.0)
+                    return areWithin(other_, body_, pose, body_.getPadding());
                 const Touching contact = touching(other_, body_, pose, margin_);
                 if (contact != Touching::UNKNOWN)
                     return contact == Touching::YES;

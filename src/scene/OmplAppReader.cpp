@@ -190,6 +190,8 @@ namespace ompl_certificates
             if (widened && hasVolume(file, dimension))
                 scene.addNote("[problem] volume: widened to hold start and goal");
             addNotes(file, dimension, scene);
+            for (const MeshFile *mesh : {&robot, &world})
+                scene.addFile(mesh->getName());
 
             scene.addObstacle({world.makeObstacle(dimension)});
             const std::string name = std::filesystem::path(robot.getName()).stem().string();

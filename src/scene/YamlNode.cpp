@@ -57,12 +57,13 @@ namespace ompl_certificates
     }
 
     YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file)
-      : YamlNode(node, std::move(key), std::move(file), std::make_shared<std::vector<std::string>>())
+      : YamlNode(node, std::move(key), std::move(file), std::make_shared<std::vector<std::string>>(),
+                 std::make_shared<std::vector<std::string>>())
     {
     }
 
-    YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file, Notes notes)
-      : node_(node), key_(std::move(key)), file_(std::move(file)), notes_(std::move(notes))
+    YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file, Lines notes, Lines paths)
+      : node_(node), key_(std::move(key)), file_(std::move(file)), notes_(std::move(notes)), paths_(std::move(paths))
     {
     }
 
@@ -75,7 +76,7 @@ namespace ompl_certificates
 
     YamlNode YamlNode::other(const YAML::Node &node, const std::string &key) const
     {
-        return {node, key, file_, notes_};
+        return {node, key, file_, notes_, paths_};
     }
 
     void YamlNode::fail(const std::string &complaint) const
@@ -174,7 +175,8 @@ namespace ompl_certificates
 
     std::string YamlNode::pathBesideFile() const
     {
-        return (std::filesystem::path(file_).parent_path() / path()).lexically_normal().string();
+        paths_->push_back((std::filesystem::path(file_).parent_path() / path()).lexically_normal().string());
+        return paths_->back();
     }
 
     std::string YamlNode::scalar() const

@@ -32,6 +32,12 @@ namespace ompl_certificates
             return *notes_;
         }
 
+        /** \brief The paths that pathBesideFile() returned, for this node and all others of its file */
+        const std::vector<std::string> &getPaths() const
+        {
+            return *paths_;
+        }
+
         /** \brief Complain about this node
             \throws ompl::Exception always */
         [[noreturn]] void fail(const std::string &complaint) const;
@@ -121,9 +127,9 @@ namespace ompl_certificates
         std::vector<double> positives(std::size_t count) const;
 
     private:
-        using Notes = std::shared_ptr<std::vector<std::string>>;
+        using Lines = std::shared_ptr<std::vector<std::string>>;
 
-        YamlNode(const YAML::Node &node, std::string key, std::string file, Notes notes);
+        YamlNode(const YAML::Node &node, std::string key, std::string file, Lines notes, Lines paths);
 
         /** \brief A node of this file, at the path \e key */
         YamlNode other(const YAML::Node &node, const std::string &key) const;
@@ -134,7 +140,7 @@ namespace ompl_certificates
         YAML::Node node_;
         std::string key_;
         std::string file_;
-        Notes notes_;
+        Lines notes_, paths_;
     };
 }
 

@@ -64,6 +64,8 @@ namespace ompl_certificates
             readRobot(robot, dynamics, scene, meshes, arms);
         for (const std::string &note : root.getNotes())
             scene.addNote(note);
+        for (const std::string &path : root.getPaths())
+            scene.addFile(path);
         scene.chooseGoals();
         return scene;
     }

@@ -147,7 +147,7 @@ namespace ompl_certificates
     {
         const double distance = node.number();
         if (distance < 0.0)
-            node.fail("must not be negative");
+            node.fail("must not be negative, not " + node.describe());
         return distance;
     }
 

@@ -75,8 +75,10 @@ namespace ompl_certificates
                         "false]]}\n",
                  "scene.yaml:4: allowed_collision_matrix.entry_values[1][0]: must be as for 'base' and 'tip': the matrix "
                  "must be symmetric"},
-                {BALL + "link_padding: [{link_name: tip, padding: 0.01}]\n",
-                 "scene.yaml:4: link_padding[0].padding: is not supported but as 0"},
+                {BALL + "link_padding: [{link_name: tip, padding: -0.01}]\n",
+                 "scene.yaml:4: link_padding[0].padding: must not be negative, not -0.01"},
+                {BALL + "link_padding: [{link_name: tpi, padding: 0.01}]\n",
+                 "scene.yaml:4: link_padding[0].link_name: there is no link 'tpi'; did you mean tip?"},
                 {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",
                  "scene.yaml:4: link_scale[1].scale: is not supported but as 1"},
                 {BALL + "robot_state: {joint_state: {name: [turn, knee], position: [0, 0]}}\n",

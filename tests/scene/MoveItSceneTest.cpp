@@ -49,6 +49,16 @@ namespace ompl_certificates
             EXPECT_GT(bounds.high[0], 3.9);
         }
 
+        TEST_F(MoveItScene, LinksKeepTheirPadding)
+        {
+            const SceneFile file = read(BALL +
+                                        "link_padding: [{link_name: tip, padding: 0.25}, {link_name: base, padding: "
+                                        "0}, {link_name: camera, padding: 0.1}]\n");
+            const Arm &arm = armOf(file);
+            for (std::size_t i = 0; i < arm.getBodies().size(); ++i)
+                EXPECT_EQ(arm.getBodies()[i].getPadding(), arm.getLinkOfBody(i) == "tip" ? 0.25 : 0.0);
+        }
+
         TEST_F(MoveItScene, MeshesOfFilesAreScaled)
         {
             folder_.write("ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

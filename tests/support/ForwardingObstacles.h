@@ -10,7 +10,8 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief Obstacles of a user's own that know of others what every class must know, and nothing more */
+        /** \brief Obstacles of a user's own that know of others what every class must know, paddings, and nothing
+            more */
         class ForwardingObstacles : public Obstacles
         {
         public:
@@ -26,6 +27,11 @@ namespace ompl_certificates
             bool collides(const Body &body, const Pose &pose) const override
             {
                 return obstacles_->collides(body, pose);
+            }
+
+            bool knowsPadding() const override
+            {
+                return obstacles_->knowsPadding();
             }
 
             double clearance(const Eigen::Vector3d &point) const override

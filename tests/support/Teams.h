@@ -111,8 +111,30 @@ namespace ompl_certificates
             return team;
         }
 
+        /** \brief Robots that keep distances: a box of a mesh, a bar, an arm that may touch itself, and a sphere without
+            padding */
+        inline TeamStateSpacePtr paddedTeam(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(3, HALF * unit);
+            const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+            const Pose next = poseAt({0.9 * unit, 0.0, 0.0});
+            const Body link = Body({{Shape::box(Eigen::Vector3d(0.8 * unit, 0.2 * unit, 0.2 * unit)),
+                                     poseAt({0.45 * unit, 0.0, 0.0})}})
+                                  .padded(0.1 * unit);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::inSE3(
+                "box", Body::mesh(boxMesh({0.8 * unit, 0.3 * unit, 0.4 * unit})).padded(0.2 * unit), bounds));
+            team->addRobot(RigidRobot::inR3("bar", Body::capsule(0.1 * unit, 0.8 * unit).padded(0.1 * unit), bounds));
+            team->addRobot(std::make_shared<Chain>(
+                "arm",
+                std::vector<Chain::Link>{{link, Pose::Identity(), z, 0.0}, {link, next, y, 0.0}, {link, next, y, 0.0}},
+                pairsApart(3)));
+            team->addRobot(RigidRobot::sphere("sphere", 0.2 * unit, bounds));
+            return team;
+        }
+
         /** \brief The number of teams of anyTeam(); those from FIRST_OF_MESHES on have meshes */
-        constexpr unsigned int TEAMS = 6, FIRST_OF_MESHES = 3;
+        constexpr unsigned int TEAMS = 7, FIRST_OF_MESHES = 3;
 
         /** \brief One of the teams above */
         inline TeamStateSpacePtr anyTeam(unsigned int which, double unit = 1.0)
@@ -129,8 +151,10 @@ namespace ompl_certificates
                     return planarMeshTeam(unit);
                 case 4:
                     return spatialMeshTeam(unit);
-                default:
+                case 5:
                     return teamOfArms(unit);
+                default:
+                    return paddedTeam(unit);
             }
         }
 

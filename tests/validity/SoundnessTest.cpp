@@ -33,7 +33,9 @@ namespace
         for (unsigned int i = 0, count = 1 + random.below(3); i < count; ++i)
         {
             const std::string name = "robot" + std::to_string(i);
-            const Body body = anyBody(random, dimension, unit * random.logUniform(0.02, 1.0), meshes);
+            Body body = anyBody(random, dimension, unit * random.logUniform(0.02, 1.0), meshes);
+            if (random.chance(0.25))
+                body = body.padded(unit * random.logUniform(1e-3, 0.3));
             const bool turns = random.chance(0.7);
             if (dimension == 3)
                 team->addRobot(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));

@@ -28,6 +28,11 @@ namespace
             return exact_->collides(body, pose);
         }
 
+        bool knowsPadding() const override
+        {
+            return true;
+        }
+
         double clearance(const Eigen::Vector3d &point) const override
         {
             const double clearance = exact_->clearance(point);

@@ -150,6 +150,19 @@ namespace ompl_certificates
         /** \brief The same with the checker of \e setup, whose team makeTeam() made; then setProblem() */
         void chooseGoals(TeamSetup &setup);
 
+        /** \brief The files that the scene's file names, such as those of meshes, clouds and arms: a program must not
+            write what it has read */
+        const std::vector<std::string> &getFiles() const
+        {
+            return files_;
+        }
+
+        /** \brief Add a file that the scene's file names */
+        void addFile(const std::string &file)
+        {
+            files_.push_back(file);
+        }
+
         /** \brief Add a line to the notes */
         void addNote(const std::string &note)
         {
@@ -237,7 +250,7 @@ namespace ompl_certificates
         std::vector<ObstaclesPtr> sensed_;
         std::vector<std::string> sensedTitles_;
         std::vector<Member> members_;
-        std::vector<std::string> notes_;
+        std::vector<std::string> notes_, files_;
         double resolution_{0.0};
         bool areGoalsChosen_{false};
     };

@@ -1,0 +1,79 @@
+// Distances that robots keep, in scene files
+
+#include "support/ArmScenes.h"
+#include "support/Message.h"
+
+#include "ompl_certificates/control/DynamicRobot.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    const std::string ENVIRONMENT =
+        "environment:\n  min: [0, 0]\n  max: [10, 10]\n"
+        "  obstacles: [{type: box, center: [5, 5], size: [2, 2]}]\nrobots:\n";
+
+    Scene sceneOf(const std::string &robots, bool dynamics = false)
+    {
+        return sceneFromYaml(ENVIRONMENT + robots, "padding", dynamics);
+    }
+}
+
+TEST(YamlPadding, IsOfAllBodiesOfARobot)
+{
+    const Scene scene = sceneOf(
+        "  - {type: rigid, space: SE2, shape: {type: disc, radius: 0.5}, padding: 0.25, start: [1, 1, 0], "
+        "goal: [9, 9, 0]}\n"
+        "  - {type: car_with_trailer, car: {type: disc, radius: 0.2}, trailer: {type: disc, radius: 0.1}, "
+        "hitch_length: 0.5, self_collision: true, padding: 0.25, start: [1, 4, 0, 0], goal: [9, 4, 0, 0]}\n"
+        "  - {type: arm, base: {center: [2, 8]}, links: [{length: 1, width: 0.1}, {length: 1, radius: 0.1}], "
+        "padding: 0.25, start: [0, 0], goal: [1, 1]}\n"
+        "  - {type: unicycle_first_order, padding: 0.25, start: [8, 1, 0], goal: [1, 9, 0], "
+        "keep_out: [{type: box, center: [8, 8], size: [1, 1]}]}\n");
+    scene.validate();
+    for (const Scene::Member &member : scene.getMembers())
+        for (std::size_t body = 0; body < member.robot->getBodies().size(); ++body)
+            EXPECT_EQ(member.robot->getBodies()[body].getPadding(), member.robot->isZone(body) ? 0.0 : 0.25)
+                << member.robot->getName() << " " << body;
+    const Scene moving =
+        sceneOf("  - {type: unicycle_first_order, padding: 0.25, start: [8, 1, 0], goal: [1, 9, 0]}\n", true);
+    EXPECT_TRUE(dynamic_cast<const DynamicRobot *>(moving.getMembers()[0].robot.get()));
+    EXPECT_EQ(moving.getMembers()[0].robot->getBodies()[0].getPadding(), 0.25);
+}
+
+TEST(YamlPadding, IsOfTheLinksOfAnArm)
+{
+    const Scene scene = sceneWithArm(
+        "padding: 0.02, link_padding: {palm: 0.05, bar: 0}, attached: [{name: bar, link: palm, "
+        "shape: {type: sphere, radius: 0.05}, position: [0, 0, 0.2]}], touchable: [{name: floor, "
+        "shape: {type: box, size: [1, 1, 0.1]}, position: [0, 0, -0.1], touch_links: [base]}]");
+    const auto arm = armOf(scene);
+    for (std::size_t i = 0; i < arm->getBodies().size(); ++i)
+    {
+        const std::string &link = arm->getLinkOfBody(i);
+        EXPECT_EQ(arm->getBodies()[i].getPadding(), link == "palm"                     ? 0.05
+                                                    : link == "bar" || link == "floor" ? 0.0
+                                                                                       : 0.02)
+            << link;
+    }
+}
+
+TEST(YamlPadding, IsToldInMessages)
+{
+    const auto messageOf = [](const std::string &robots)
+    { return test::messageOf([&] { sceneOf(robots).validate(); }); };
+    const std::string robot = "  - {type: rigid, space: R2, shape: {type: disc, radius: 0.5}, padding: ";
+    EXPECT_EQ(messageOf(robot + "0.25, start: [3.3, 5], goal: [1, 9]}\n"),
+              "padding: robots[0].start [3.3, 5] of 'robot_0' touches environment.obstacles[0], within its padding of "
+              "0.25");
+    EXPECT_EQ(messageOf(robot + "0.2, start: [3.3, 5], goal: [1, 9]}\n"), "");
+    EXPECT_NE(
+        messageOf(robot + "0.25, start: [1, 1], goal: [1, 9]}\n" + robot + "0.5, start: [1, 2.7], goal: [3, 9]}\n")
+            .find("within their padding of 0.75"),
+        std::string::npos);
+    EXPECT_NE(messageOf(robot + "-1, start: [1, 1], goal: [1, 9]}\n").find("robots[0].padding: must not be negative"),
+              std::string::npos);
+}
