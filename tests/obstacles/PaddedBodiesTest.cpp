@@ -35,11 +35,10 @@ class PaddedBodies : public testing::TestWithParam<unsigned int>
 TEST_P(PaddedBodies, FulfilTheContractOfObstacles)
 {
     const unsigned int dimension = GetParam();
-    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    for (unsigned int seed = 0; seed < scaled(20); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        ompl::RNG::setSeed(seed + 1);
         const auto padded = [&] { return randomPaddedBody(random, dimension, random.logUniform(0.1, 2.0)); };
         const std::vector<Body> bodies{padded(), padded(), padded()};
         const ompl::base::RealVectorBounds bounds = cubeBounds(dimension, 4.0);
@@ -79,7 +78,7 @@ TEST_P(PaddedBodies, TouchWhatIsWithinTheirPadding)
         const Body body = randomPaddedBody(random, dimension, random.logUniform(0.1, 2.0));
         for (int i = 0; i < 50; ++i)
         {
-            const Pose pose = random.pose(dimension, 5.0);
+            const Pose pose = random.pose(dimension, dimension == 2 ? 5.0 : 3.0);
             bool within = false;
             for (const PlacedBody &obstacle : obstacles.getBodies())
                 within = within || areWithin(obstacle.body, body, obstacle.pose.inverse() * pose, body.getPadding());
