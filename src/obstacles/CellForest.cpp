@@ -9,9 +9,10 @@
 
 namespace ompl_certificates
 {
-    CellBlock::CellBlock(double cellSize, std::vector<CellBox> boxes, unsigned int dimension) : tree_(std::move(boxes))
+    CellBlock::CellBlock(double cellSize, std::vector<CellBox> boxes, unsigned int dimension, BoxShapes &shapes)
+      : tree_(std::move(boxes))
     {
-        std::map<std::array<std::int32_t, 3>, std::uint32_t> known;
+        std::map<std::array<std::int32_t, 3>, std::uint32_t> own;
         shapeOfBox_.reserve(tree_.getBoxes().size());
         Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
         if (!tree_.getBoxes().empty())
@@ -19,11 +20,17 @@ namespace ompl_certificates
         for (const auto &[low, high] : tree_.getBoxes())
         {
             const std::array<std::int32_t, 3> cells{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-            const auto [entry, isNew] = known.emplace(cells, static_cast<std::uint32_t>(shapes_.size()));
+            const auto [entry, isNew] = own.emplace(cells, static_cast<std::uint32_t>(shapes_.size()));
             if (isNew)
             {
                 const Eigen::Vector3d size = cellSize * Eigen::Vector3d(cells[0], cells[1], cells[2]);
-                shapes_.push_back(dimension == 2 ? Shape::box(Eigen::Vector2d(size.head<2>())) : Shape::box(size));
+                auto known = shapes.bySize.find(cells);
+                if (known == shapes.bySize.end())
+                    known = shapes.bySize
+                                .emplace(cells, dimension == 2 ? Shape::box(Eigen::Vector2d(size.head<2>()))
+                                                               : Shape::box(size))
+                                .first;
+                shapes_.push_back(known->second);
             }
             shapeOfBox_.push_back(entry->second);
             const Eigen::Vector3d center =

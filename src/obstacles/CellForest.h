@@ -5,17 +5,28 @@
 
 #include "ompl_certificates/geometry/Shape.h"
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
 namespace ompl_certificates
 {
+    /** \brief The shapes of boxes, which blocks share: each takes a kilobyte */
+    struct BoxShapes
+    {
+        /** \brief The shapes by their sizes in cells */
+        std::map<std::array<std::int32_t, 3>, Shape> bySize;
+    };
+
     /** \brief Some boxes of cells, with their shapes. Never changes, so that forests may share it. */
     class CellBlock
     {
     public:
-        /** \brief A block of \e boxes, which must not overlap; flat ones in the plane. Cost: n log n for n of them. */
-        CellBlock(double cellSize, std::vector<CellBox> boxes, unsigned int dimension);
+        /** \brief A block of \e boxes, which must not overlap; flat ones in the plane. Cost: n log n for n of them.
+            \param shapes those that were made before; those of new sizes are added */
+        CellBlock(double cellSize, std::vector<CellBox> boxes, unsigned int dimension, BoxShapes &shapes);
 
         /** \brief The boxes in a tree, in cells */
         const CellTree &getTree() const

@@ -36,8 +36,9 @@ namespace ompl_certificates
             requireGrid(cellSize, dimension, origin);
             requireCells(cells, dimension);
             std::vector<CellBox> boxes = joinCells(dimension == 2 ? flattenCells(cells) : cells, MOST_CELLS);
+            BoxShapes shapes;
             return std::make_unique<const CellForest>(std::vector<std::shared_ptr<const CellBlock>>{
-                std::make_shared<const CellBlock>(cellSize, std::move(boxes), dimension)});
+                std::make_shared<const CellBlock>(cellSize, std::move(boxes), dimension, shapes)});
         }
     }
 

@@ -32,7 +32,7 @@ namespace ompl_certificates
             return (1U << static_cast<std::uint32_t>(high)) - (1U << static_cast<std::uint32_t>(low));
         }
 
-        /** How many blocks one box may reach into. Blocks take up to three kilobytes each. */
+        /** How many blocks one box may reach into. A block of a few boxes takes a kilobyte. */
         constexpr double MOST_BLOCKS = 1 << 20;
 
         constexpr std::size_t NO_BOX = std::numeric_limits<std::size_t>::max();
@@ -84,7 +84,7 @@ namespace ompl_certificates
     }
 
     CellSet::CellSet(double cellSize, unsigned int dimension, const Eigen::Vector3d &origin)
-      : cellSize_(cellSize), dimension_(dimension), origin_(origin)
+      : cellSize_(cellSize), dimension_(dimension), origin_(origin), shapes_(std::make_unique<BoxShapes>())
     {
         static_assert(BLOCK == MOST_CELLS, "Blocks should take apart no more boxes than need be");
         requireGrid(cellSize, dimension, origin);
@@ -269,7 +269,8 @@ namespace ompl_certificates
             if (now.empty())
                 blocks_.erase(place);
             else
-                blocks_[place] = {cells, std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_)};
+                blocks_[place] = {cells,
+                                  std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_, *shapes_)};
         }
         edited_.clear();
         if (after_ && added.empty() && removed.empty())
@@ -278,7 +279,7 @@ namespace ompl_certificates
         {
             std::vector<std::shared_ptr<const CellBlock>> blocks;
             if (!boxes.empty())
-                blocks.push_back(std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_));
+                blocks.push_back(std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_, *shapes_));
             return ObstaclesPtr(new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_,
                                                   dimension_, origin_));
         };

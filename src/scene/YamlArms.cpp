@@ -297,7 +297,8 @@ namespace ompl_certificates
         {
             ArmFile::Options options;
             std::ostringstream key;
-            key << keyOf(node, options) << std::hexfloat << '\n' << baseOf(node).matrix();
+            // 0 in place of -0, which is equal but written in another way
+            key << keyOf(node, options) << std::hexfloat << '\n' << (baseOf(node).matrix().array() + 0.0).matrix();
             return key.str();
         };
         if (mechanisms_.empty())

@@ -78,7 +78,8 @@ TEST_P(PaddedBodies, TouchWhatIsWithinTheirPadding)
         const Body body = randomPaddedBody(random, dimension, random.logUniform(0.1, 2.0));
         for (int i = 0; i < 50; ++i)
         {
-            const Pose pose = random.pose(dimension, dimension == 2 ? 5.0 : 3.0);
+            Pose pose = nearPose(random, obstacles, body, 1.0);
+            pose.translation() += random.point(dimension, 2.0 * body.getPadding());
             bool within = false;
             for (const PlacedBody &obstacle : obstacles.getBodies())
                 within = within || areWithin(obstacle.body, body, obstacle.pose.inverse() * pose, body.getPadding());

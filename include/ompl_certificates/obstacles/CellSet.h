@@ -15,6 +15,7 @@
 namespace ompl_certificates
 {
     class CellBlock;
+    struct BoxShapes;
 
     /** \brief Occupied cells of a grid that come and go, such as those of a map that a robot makes.
 
@@ -109,6 +110,8 @@ namespace ompl_certificates
         double cellSize_;
         unsigned int dimension_;
         Eigen::Vector3d origin_;
+        /** \brief The shapes of all boxes that there have been: at most 4096 sizes */
+        std::unique_ptr<BoxShapes> shapes_;
         /** \brief The blocks that are not empty, as they were at the last takeChange() */
         std::map<Place, Block> blocks_;
         /** \brief The cells now of those blocks in which one may have come or gone since */
