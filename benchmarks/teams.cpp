@@ -59,17 +59,19 @@ namespace
             { run.first = std::min(run.first, elapsed()); });
         setup->solve(ob::PlannerTerminationCondition(
             [&] { return elapsed() > options.seconds || (options.onlyFirst && std::isfinite(run.first)); }));
+        const double end = elapsed();
+        // The check of the path, below, asks as well.
+        const CheckCounts counts = setup->getStatistics().getCounts();
+        run.questions = static_cast<double>(counts.asked);
+        run.pairs = static_cast<double>(counts.pairPoses);
         if (setup->haveExactSolutionPath())
         {
-            run.first = std::min(run.first, elapsed());
+            run.first = std::min(run.first, end);
             run.cost = setup->getSolutionPath().length();
             run.isValid = setup->getSolutionPath().check();
         }
         else
             run.first = std::numeric_limits<double>::infinity();
-        const CheckCounts counts = setup->getStatistics().getCounts();
-        run.questions = static_cast<double>(counts.asked);
-        run.pairs = static_cast<double>(counts.pairPoses);
         return run;
     }
 
@@ -78,8 +80,7 @@ namespace
         std::vector<double> values;
         for (const Run &run : runs)
             values.push_back(run.*field);
-        std::sort(values.begin(), values.end());
-        return values[values.size() / 2];
+        return benchmarks::median(values);
     }
 
     /** A number, or a dash where half of the runs have none */
@@ -122,23 +123,29 @@ namespace
             }
     }
 
-    /** Generated scenes of a kind, from seeds 1, 2, ... */
-    std::vector<Scene> generated(const Options &options, std::size_t robots)
+    const generators::TeamKind &kindOf(const Options &options)
     {
         const auto &kinds = generators::teamKinds();
         const auto kind = std::find_if(kinds.begin(), kinds.end(),
                                        [&](const generators::TeamKind &one) { return one.name == options.kind; });
         if (kind == kinds.end())
             throw ompl::Exception("--kind", "there is no kind '" + options.kind + "'");
+        return *kind;
+    }
+
+    /** Generated scenes of a kind, from seeds 1, 2, ... */
+    std::vector<Scene> generated(const Options &options, std::size_t robots)
+    {
+        const generators::TeamKind &kind = kindOf(options);
         std::vector<Scene> scenes;
         for (std::uint64_t seed = 1; seed <= options.instances; ++seed)
         {
-            generators::TeamSettings settings = kind->defaults;
+            generators::TeamSettings settings = kind.defaults;
             settings.robots = static_cast<unsigned int>(robots);
             settings.seed = seed;
             if (options.size > 0.0)
                 settings.size = options.size;
-            const generators::SceneTexts texts = kind->make(settings);
+            const generators::SceneTexts texts = kind.make(settings);
             if (!texts.meshes.empty())
                 throw ompl::Exception("--kind", options.kind + " has meshes: certificates generate writes its files");
             scenes.push_back(sceneFromYaml(texts.yaml, options.kind));
@@ -146,25 +153,50 @@ namespace
         return scenes;
     }
 
-    int run(const Options &options)
+    /** The scenes of one row: one of a file, or all instances of a kind */
+    struct Group
     {
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        std::puts(
-            "| scene | R | planner | method | solved | first solution (s) | slowest (s) | cost | obstacle questions "
-            "| robot pairs |");
-        std::puts("|---|---|---|---|---|---|---|---|---|---|");
+        std::string name;
+        std::vector<Scene> scenes;
+    };
+
+    /** All groups: what cannot be read or made shows before anything is planned. */
+    std::vector<Group> groupsOf(const Options &options)
+    {
+        const auto sizesOr = [&options](std::size_t all)
+        { return options.robots.empty() ? std::vector<std::size_t>{all} : options.robots; };
+        if (options.scenes.empty() && options.kind.empty())
+            throw ompl::Exception("Scene files or --kind are needed");
+        std::vector<Group> groups;
         for (const std::string &file : options.scenes)
         {
             const Scene scene = loadScene(file);
             scene.validate();
-            for (const std::size_t robots :
-                 options.robots.empty() ? std::vector<std::size_t>{scene.getMembers().size()} : options.robots)
+            for (const std::size_t robots : sizesOr(scene.getMembers().size()))
                 if (robots <= scene.getMembers().size())
-                    compare(options, scene.getName(), {scene.withFirstRobots(robots)});
+                    groups.push_back({scene.getName(), {scene.withFirstRobots(robots)}});
         }
         if (!options.kind.empty())
-            for (const std::size_t robots : options.robots)
-                compare(options, options.kind, generated(options, robots));
+            for (const std::size_t robots : sizesOr(kindOf(options).defaults.robots))
+                groups.push_back({options.kind, generated(options, robots)});
+        if (groups.empty())
+            throw ompl::Exception("--robots", "no scene has so many");
+        return groups;
+    }
+
+    int run(const Options &options)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        // Throws if there is no such planner.
+        for (const std::string &planner : options.planners)
+            plannerDescription(planner);
+        const std::vector<Group> groups = groupsOf(options);
+        std::puts(
+            "| scene | R | planner | method | solved | first solution (s) | slowest (s) | cost | obstacle questions "
+            "| robot pairs |");
+        std::puts("|---|---|---|---|---|---|---|---|---|---|");
+        for (const Group &group : groups)
+            compare(options, group.name, group.scenes);
         return 0;
     }
 }
@@ -179,14 +211,19 @@ int main(int argc, char **argv)
     std::vector<std::string> kinds;
     for (const generators::TeamKind &kind : generators::teamKinds())
         kinds.push_back(kind.name);
-    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see certificates generate --help")
-        ->check(CLI::IsMember(kinds));
-    benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
-    app.add_option("--size", options.size, "The side of generated scenes")->check(benchmarks::positive());
+    CLI::Option *kind =
+        app.add_option("--kind", options.kind, "Generated scenes of that kind; see certificates generate --help")
+            ->check(CLI::IsMember(kinds));
+    benchmarks::addList(app, "--robots", options.robots,
+                        "Team sizes: the first robots of each scene; by default all of a scene, or as many as the kind "
+                        "has by default")
+        ->check(benchmarks::positive());
+    app.add_option("--size", options.size, "The side of generated scenes")->check(benchmarks::positive())->needs(kind);
     app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(benchmarks::positive());
     benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each scene, from seeds 1, 2, ...");
     benchmarks::addPositive(app, "--instances", options.instances,
-                            "Generated scenes of each size, from seeds 1, 2, ...");
+                            "Generated scenes of each size, from seeds 1, 2, ...")
+        ->needs(kind);
     app.add_flag("--first", options.onlyFirst, "End each plan with its first solution");
     app.add_flag("--separate-roadmaps", options.separate, "DRRTstar with a roadmap for each robot");
     app.footer(

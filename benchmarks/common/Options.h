@@ -65,9 +65,9 @@ namespace benchmarks
 
     /** \brief An option with a default that must be positive */
     template <typename Value>
-    void addPositive(CLI::App &app, const std::string &name, Value &value, const std::string &description)
+    CLI::Option *addPositive(CLI::App &app, const std::string &name, Value &value, const std::string &description)
     {
-        app.add_option(name, value, description)->check(positive())->capture_default_str();
+        return app.add_option(name, value, description)->check(positive())->capture_default_str();
     }
 
     /** \brief Read the command line and run \e program. An error of either is printed, with exit code 2. */
