@@ -176,8 +176,8 @@ int main(int argc, char **argv)
     CLI::App app("Control planners with and without certificates", "controls");
     Options options;
     app.add_option("SCENES", options.scenes, "Scene files with robots of db-CBS's types")->required();
-    app.add_option("--planners", options.planners, "Control planners, with commas between")
-        ->delimiter(',')
+    benchmarks::addList(app, "--planners", options.planners, "Control planners, separated by commas")
+        ->check(CLI::IsMember(controlPlannerNames()))
         ->capture_default_str();
     app.add_option("--iterations", options.iterations, "Iterations of each plan")
         ->check(benchmarks::positive())
