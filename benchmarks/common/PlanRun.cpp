@@ -6,6 +6,7 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <ompl/base/PlannerData.h>
@@ -145,16 +146,19 @@ namespace benchmarks
             stop = ob::plannerOrTerminationCondition(stop, ob::timedPlannerTerminationCondition(task.seconds));
         while (iterations.getTimesCalled() < task.iterations)
         {
+            const auto begin = std::chrono::steady_clock::now();
             const std::clock_t start = std::clock();
             const ob::PlannerStatus status = planner->solve(stop);
             result.solved = status == ob::PlannerStatus::EXACT_SOLUTION;
             result.totalSeconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+            result.clockSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL)
                 throw ompl::Exception(task.scene.getName() + ": the start or the goal is not valid");
             ob::PlannerData tree(setup->getSpaceInformation());
             planner->getPlannerData(tree);
             result.states += tree.numVertices();
             result.digests.push_back(treeDigest(tree));
+            result.certificates = checker.getCertificateCount();
             if (!task.keepGoing)
                 break;
             planner->clear();
@@ -164,7 +168,6 @@ namespace benchmarks
         }
         result.counts = setup->getStatistics().getCounts();
         result.checkingSeconds = setup->getStatistics().getCheckingSeconds();
-        result.certificates = checker.getCertificateCount();
         return result;
     }
 

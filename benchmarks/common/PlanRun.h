@@ -63,6 +63,8 @@ namespace benchmarks
         std::size_t states{0};
 
         ompl_certificates::CheckCounts counts;
+
+        /** \brief The certificates at the end of the last tree */
         std::size_t certificates{0};
 
         /** \brief The time in checks, in seconds by the clock */
@@ -70,6 +72,9 @@ namespace benchmarks
 
         /** \brief The time of planning, in seconds of the processor */
         double totalSeconds{0.0};
+
+        /** \brief The time of planning, in seconds by the clock */
+        double clockSeconds{0.0};
     };
 
     /** \brief The planners that run() knows */
