@@ -201,6 +201,10 @@ namespace
             scenes.push_back(loadScene(file));
             scenes.back().validate();
         }
+        const auto isPlannedFor = [&options](const Scene &scene)
+        { return *std::min_element(options.robots.begin(), options.robots.end()) <= scene.getMembers().size(); };
+        if (std::none_of(scenes.begin(), scenes.end(), isPlannedFor))
+            throw ompl::Exception("--robots", "no scene has so many");
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
         Table table;
