@@ -64,6 +64,7 @@ namespace
         app.add_flag("--fresh", options.fresh,
                      "Read the robot anew for each plan, as the first plan of a program finds it; no random checks");
         app.footer(
+            "Rows without a problem that all three solved have no ratios.\n"
             "An interrupt ends it after the present row, with the means of what is done.\n"
             "Returns 1 if a tree or a verdict differs from that of FCL alone, 2 for bad input.");
     }
@@ -111,9 +112,7 @@ namespace
             const double step = 0.2 * space->getMaximumExtent();
             std::vector<ob::ScopedState<>> states(options.states * 3 / 2, ob::ScopedState<>(space));
             for (auto &state : states)
-            {
                 space->copyFromReals(state.get(), benchmarks::randomReals(scene, rng));
-            }
             std::vector<std::size_t> valid;
             double start = 0.0;
             for (std::size_t i = 0; i < states.size(); ++i)
@@ -130,7 +129,7 @@ namespace
             ob::ScopedState<> target(space);
             for (std::size_t i = 0; i < options.motions * 3 / 2; ++i)
             {
-                const ob::State *from = states[valid[i % valid.size()]].get(), *to = states[i].get();
+                const ob::State *from = states[valid[i % valid.size()]].get(), *to = states[i % states.size()].get();
                 const double distance = space->distance(from, to);
                 space->interpolate(from, to, distance > step ? step / distance : 1.0, target.get());
                 if (i == options.motions / 2)
@@ -156,15 +155,20 @@ namespace
         }
     };
 
-    /** Ratios of times, one for each row */
+    /** Ratios of times, one for each row that has one */
     struct Ratios
     {
         std::vector<double> values;
 
-        double add(double numerator, double denominator)
+        /** The ratio as the table shows it */
+        std::string add(double numerator, double denominator)
         {
+            if (numerator <= 0.0 || denominator <= 0.0)
+                return "-";
             values.push_back(numerator / denominator);
-            return values.back();
+            char text[32];
+            std::snprintf(text, sizeof(text), "%.2f", values.back());
+            return text;
         }
 
         void print(const char *name) const
@@ -215,8 +219,10 @@ namespace
                     equal = equal && fcl.digests[i] == standard.digests[i] && fcl.digests[i] == method.digests[i];
                 }
             different_ += equal ? 0 : 1;
-            std::printf(" %.3f | %.2f | %.2f | %.2f |", seconds[0], fclToStandard_.add(seconds[0], seconds[1]),
-                        fclToMethod_.add(seconds[0], seconds[2]), standardToMethod_.add(seconds[1], seconds[2]));
+            ++rows_;
+            std::printf(" %.3f | %s | %s | %s |", seconds[0], fclToStandard_.add(seconds[0], seconds[1]).c_str(),
+                        fclToMethod_.add(seconds[0], seconds[2]).c_str(),
+                        standardToMethod_.add(seconds[1], seconds[2]).c_str());
             const double scale = 1e6 / static_cast<double>(problems);
             const auto states = static_cast<double>(options.states), motions = static_cast<double>(options.motions);
             if (options.fresh)
@@ -233,18 +239,24 @@ namespace
         /** Prints the means, and returns whether all trees and verdicts were equal. */
         bool finish() const
         {
-            if (fclToMethod_.values.empty())
+            if (rows_ == 0)
                 return true;
             std::puts("");
-            fclToStandard_.print("checking, fcl / standard");
-            fclToMethod_.print("checking, fcl / method");
-            standardToMethod_.print("checking, standard / method");
+            if (!fclToMethod_.values.empty())
+            {
+                fclToStandard_.print("checking, fcl / standard");
+                fclToMethod_.print("checking, fcl / method");
+                standardToMethod_.print("checking, standard / method");
+            }
+            if (const std::size_t without = rows_ - fclToMethod_.values.size(); without > 0)
+                std::printf("rows without a problem that all three solved, left out of the means: %zu\n", without);
             std::printf("rows with trees or verdicts that differ: %u\n", different_);
             return different_ == 0;
         }
 
     private:
         Ratios fclToStandard_, fclToMethod_, standardToMethod_;
+        std::size_t rows_{0};
         unsigned int different_{0};
     };
 
