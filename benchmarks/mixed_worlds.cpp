@@ -160,7 +160,11 @@ namespace
         Result result{0.0, ""};
         while (limit.getTimesCalled() < options.iterations)
         {
-            solver->solve(limit);
+            const ob::PlannerStatus status = solver->solve(limit);
+            // Such a plan ends at once, and asks for no iterations.
+            if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL)
+                throw ompl::Exception(scene.getName(), "the start or the goal of " + robot->getName() +
+                                                           " is not valid among the people");
             ob::PlannerData tree(si);
             solver->getPlannerData(tree);
             result.digest += treeDigest(tree);
@@ -183,6 +187,7 @@ namespace
         for (const std::string &file : options.scenes)
         {
             const Scene scene = loadScene(file);
+            scene.validate();
             if (scene.getDimension() != 3)
                 throw ompl::Exception(file, "must be in space: people stand in it");
             const std::vector<ObstaclesPtr> each{scene.makeObstacles(),
