@@ -34,7 +34,7 @@ if(TARGET certificates)
   foreach(program IN LISTS ompl_certificates_programs)
     if(NOT program STREQUAL certificates)
       # A link to it, which stays one
-      install(FILES "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program}" TYPE BIN COMPONENT tools)
+      install(FILES "$<TARGET_FILE_DIR:certificates>/${program}" TYPE BIN COMPONENT tools)
     endif()
     install(FILES "${PROJECT_BINARY_DIR}/completions/${program}"
       DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)

@@ -88,10 +88,12 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
 endforeach()
 foreach(program IN LISTS ompl_certificates_programs)
   add_custom_command(OUTPUT "${debian}/${program}.1.gz"
-    COMMAND sh -c "help2man --no-info --output $0.1 --name \"$($1 --help | head -n 1)\" $1"
-      "${debian}/${program}" $<TARGET_FILE_DIR:certificates>/${program}
+    # help2man gives the program's path to a shell, so that it must have no spaces.
+    COMMAND sh -c "help2man --no-info --output \"$1.1\" --name \"$(./$0 --help | head -n 1)\" ./$0"
+      ${program} "${debian}/${program}"
     COMMAND "${GZIP_PROGRAM}" -9nf "${debian}/${program}.1"
     DEPENDS certificates
+    WORKING_DIRECTORY $<TARGET_FILE_DIR:certificates>
     VERBATIM)
   list(APPEND manuals "${debian}/${program}.1.gz")
 endforeach()
