@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
 # Makes the site, the guide and the API with it: docs.sh [FOLDER, out/docs]. The folder is ready for any static server. Fails if
-# Doxygen warns of anything, or a link leads nowhere.
+# Doxygen warns of anything, or a link leads nowhere; then the folder stays as it was.
 set -euo pipefail
 folder=$(realpath -m "${1:-$(dirname "${BASH_SOURCE[0]}")/../out/docs}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# The mark of what this script may replace
+mark=.made-by-docs.sh
+if [[ -e "$folder/.git" || ( -n $(ls -A "$folder" 2>/dev/null) && ! -e "$folder/$mark" ) ]]; then
+  echo "error: $folder is not empty, and not only a site that docs.sh has made" >&2
+  exit 2
+fi
 
 if ! command -v doxygen >/dev/null || ! command -v mkdocs >/dev/null; then
   scripts/install_dependencies.sh doxygen mkdocs-material mkdocs-material-extensions
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-if [[ -n $(ls -A "$folder" 2>/dev/null) && ! -e "$folder/.nojekyll" ]]; then
-  echo "error: $folder is not empty, and no site that docs.sh has made" >&2
-  exit 2
-fi
-rm -rf "$folder"
-mkdir -p "$folder" "$work/api"
+mkdir "$work/api"
 {
   cat docs/Doxyfile
   echo "OUTPUT_DIRECTORY = \"$work\""
@@ -37,8 +39,11 @@ fi
 /usr/bin/python3 scripts/docs_page.py "$work/docs" "$work/tags.xml" "${views[@]}"
 cp -r "$work/api" "${views[@]}" "$work/docs/"
 cp docs/mkdocs.yml "$work/"
-mkdocs build -f "$work/mkdocs.yml" -d "$folder" 2>&1 | { grep -E "WARNING|ERROR" || true; }
+mkdocs build -f "$work/mkdocs.yml" -d "$work/site" 2>&1 | { grep -E "WARNING|ERROR" || true; }
 # GitHub Pages would else leave out files whose names begin with an underscore.
-touch "$folder/.nojekyll"
-/usr/bin/python3 scripts/check_links.py "$folder"
+touch "$work/site/.nojekyll" "$work/site/$mark"
+/usr/bin/python3 scripts/check_links.py "$work/site"
+rm -rf "$folder"
+mkdir -p "$(dirname "$folder")"
+mv "$work/site" "$folder"
 echo "The site begins at $folder/index.html"
