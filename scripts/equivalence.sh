@@ -16,7 +16,7 @@ usage: scripts/equivalence.sh [options] [SCENE.yaml ...]
   --plan-team PROGRAM  plan_team (build/bin/plan_team)
 
 Without scenes: all in demos/scenes/ and in ../shared/scenes/db-cbs/, if there.
-Exits with 1 if anything differs, or if a plan could not be made.
+Exits with 1 if anything differs, or if a plan could not be made. A scene that is refused with all planners does not count.
 END
 }
 
@@ -119,7 +119,7 @@ for scene in "${scenes[@]}"; do
   done
 done >"$EQUIVALENCE_DIR/tasks"
 tasks=$(tr -cd '\0' <"$EQUIVALENCE_DIR/tasks" | wc -c)
-xargs -0 -n 3 -P "$jobs" "$0" --compare <"$EQUIVALENCE_DIR/tasks" >"$results" || true
+xargs -0 -n 3 -P "$jobs" "$BASH" "$root/scripts/equivalence.sh" --compare <"$EQUIVALENCE_DIR/tasks" >"$results" || true
 
 echo "${methods//,/, } with $iterations iterations, seeds ${seeds//,/, }"
 echo
@@ -154,6 +154,13 @@ echo "$(number equal) equal, $(number DIFFERENT) different, $(number FAILED) fai
   "each with the methods $methods"
 if ((3 * $(wc -l <"$results") != tasks)); then
   echo "equivalence.sh: some comparisons came to no result" >&2
+  exit 1
+fi
+partly=$(awk -F '\t' '$1 == "refused" { refused[$2] } $1 != "refused" { planned[$2] } END {
+  for (scene in refused) n += scene in planned
+  print n + 0 }' "$results")
+if ((partly > 0)); then
+  echo "equivalence.sh: $partly scenes were refused with some of the planners" >&2
   exit 1
 fi
 (($(number DIFFERENT) + $(number FAILED) == 0 && $(number equal) > 0))
