@@ -108,7 +108,7 @@ def draw_all(cells, folder):
     methods = [method for method in trials.METHODS if method in set(cells["method"]) and method not in ("fcl", "standard")]
     for (scene, planner), part in cells.groupby(["scene", "planner"]):
         what = label_of(planner) + (f", {scene}" if len(scenes) > 1 else "")
-        if part["fraction_nodes_mean"].notna().any():
+        if part.loc[part["method"].isin(methods), "fraction_nodes_mean"].notna().any():
             rows = [("fraction_nodes", "proportion of nodes", 0.01, 1.2),
                     ("fraction_samples", "proportion of samples", 0.01, 1.2),
                     ("fraction_motions", "proportion of samples\nof motions", 0.001, 1.2)]

@@ -47,27 +47,34 @@ def table(rows, header, text=()):
     return "<table>" + line(header, "th") + "".join(line(row, "td") for row in rows) + "</table>"
 
 
-def last_of(cells):
-    """The cells at the largest number of iterations that they have"""
-    return cells[cells["iterations"] == cells.groupby(trials.CELL)["iterations"].transform("max")]
+def judged(cells, method):
+    """The cells of a method from FROM iterations on that have a relative time"""
+    return cells[(cells["method"] == method) & (cells["iterations"] >= FROM)].dropna(subset=["relative_1_median"])
 
 
 def crossovers(cells, method):
     """Where the median relative time of a method is above 1: strings like 'RRT, 3 robots, from 20000 iterations'"""
     found = []
-    judged = cells[(cells["method"] == method) & (cells["iterations"] >= FROM)]
-    for (scene, planner, robots), part in judged.groupby(["scene", "planner", "robots"]):
+    for (scene, planner, robots), part in judged(cells, method).groupby(["scene", "planner", "robots"]):
         above = part[part["relative_1_median"] > 1.0]
         if not above.empty:
+            last = part.loc[part["iterations"].idxmax()]
             found.append(f"{planner} in {scene} with R = {robots}: first at {above['iterations'].min()} iterations, "
-                         f"largest median {above['relative_1_median'].max():.3f}, at the end "
-                         f"{part.sort_values('iterations')['relative_1_median'].iloc[-1]:.3f}")
+                         f"largest median {above['relative_1_median'].max():.3f}, at {last['iterations']} iterations "
+                         f"{last['relative_1_median']:.3f}")
     return found
 
 
-def conclusions(cells):
-    end = last_of(cells)
+def crossover_of_shared(cells):
+    if judged(cells, "shared").empty:
+        return f"Whether there is a crossover was not measured: no relative runtime from {FROM} iterations on."
+    crossing = crossovers(cells, "shared")
+    if not crossing:
+        return f"No crossover: the median is not above 1 at any record from {FROM} iterations on."
+    return f"Above 1: {'; '.join(crossing)}."
 
+
+def conclusions(cells, end):
     def at(method, sizes, column):
         return end[(end["method"] == method) & sizes(end["robots"])][column]
 
@@ -91,17 +98,13 @@ def conclusions(cells):
         f"{span(at('partial', many, 'fraction_nodes_mean'), percent)}, Shared "
         f"{span(at('shared', many, 'fraction_nodes_mean'), percent)}.",
     )]
-    crossing = crossovers(cells, "shared")
     rows.append((
         "Shared gives significant reductions for all team sizes and difficulties, but there is a graph size past which "
         "certificates cost more than standard checks. It should be used for R &gt; 2 while the tree is small enough.",
         "Median relative runtime of Shared at the end: "
         + ", ".join(f"{span(at('shared', any_size, f'relative_{d}_median'), times)} at difficulty {d}"
                     for d in trials.DIFFICULTIES)
-        + (". No crossover: " if not crossing else ". Above 1: ")
-        + (f"the median stays below 1 at every record from {FROM} iterations on." if not crossing
-           else "; ".join(crossing) + ".")
-        + " All that certificates change is the time in checks, lookups included: "
+        + f". {crossover_of_shared(cells)} All that certificates change is the time in checks, lookups included: "
         f"{span(at('shared', any_size, 'relative_checking_median'), times)} of the standard's.",
     ))
     partial = crossovers(cells, "partial")
@@ -117,13 +120,13 @@ def conclusions(cells):
     return table(rows, ["The paper says", "Measured here"], text=(0, 1))
 
 
-def summary(cells):
-    end = last_of(cells).sort_values(["scene", "planner", "robots"])
+def summary(end):
     rows = []
     for (scene, planner, robots), part in end.groupby(["scene", "planner", "robots"]):
         for method in trials.METHODS[1:]:
             for _, cell in part[part["method"] == method].iterrows():
-                rows.append([scene, planner, robots, trials.METHOD_LABELS[method], cell["iterations"], cell["trials"],
+                rows.append([scene, planner, robots, trials.METHOD_LABELS[method],
+                             span(pd.Series([cell["fewest"], cell["most"]]), str), cell["trials"],
                              percent(cell["fraction_nodes_mean"]), percent(cell["fraction_samples_mean"]),
                              percent(cell["fraction_motions_mean"])]
                             + [times(cell[f"relative_{d}_median"]) for d in trials.DIFFICULTIES]
@@ -155,11 +158,12 @@ def main():
     arguments = parser.parse_args()
     grid, done = trials.read_grid(arguments.results), trials.read_trials(arguments.results)
     cells = pd.read_csv(Path(arguments.tables) / "cells.csv")
+    end = trials.ends_of(pd.read_csv(Path(arguments.tables) / "records.csv"))
     name = html.escape(grid["name"])
     parts = [f"<!DOCTYPE html><html lang=en><head><meta charset=utf-8><title>{name}</title><style>{STYLE}</style></head>",
              f"<body><h1>Experiment {name}</h1>",
              f"<p>{len(done)} of {len(grid['trials'])} trials.</p>", machines(done),
-             "<h2>The paper's conclusions</h2>", conclusions(cells), "<h2>Workspaces</h2>"]
+             "<h2>The paper's conclusions</h2>", conclusions(cells, end), "<h2>Workspaces</h2>"]
     for picture in sorted((Path(arguments.results) / "scenes").glob("*.svg")):
         svg = picture.read_text()
         parts.append(f"<figure class=workspace>{svg[svg.index('<svg'):]}<figcaption>{html.escape(picture.stem)}"
@@ -172,7 +176,7 @@ def main():
         parts.append(f"<figure><img alt='{picture.stem}' src='data:image/png;base64,{data}'>"
                      f"<figcaption>{picture.stem}</figcaption></figure>")
     parts += ["<h2>At the end of the runs</h2><p>Proportions are means over trials, relative runtimes medians.</p>",
-              summary(cells), "<h2>The grid</h2>", f"<pre>{html.escape(grid['text'])}</pre>", "</body></html>"]
+              summary(end), "<h2>The grid</h2>", f"<pre>{html.escape(grid['text'])}</pre>", "</body></html>"]
     Path(arguments.report).write_text("\n".join(parts) + "\n")
     print(arguments.report)
 

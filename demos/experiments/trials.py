@@ -103,15 +103,29 @@ def add_relative_times(records):
     return records.drop(columns=[time + "_standard" for time in times])
 
 
-def cells_of(records):
-    """Mean, median, and 10th and 90th percentile over trials of what the figures show, for each cell and number of
-    iterations"""
+def statistics_of(groups):
+    """Mean, median, and 10th and 90th percentile of what figures and report show, and how many trials these are of"""
     shown = ["fraction_nodes", "fraction_samples", "fraction_motions", "relative_1", "relative_100", "relative_10000",
              "relative_checking", "share_of_checking", "certificates", "memory_bytes", "processor_seconds", "nodes"]
-    groups = records.groupby(CELL + ["iterations"])
     statistics = {"mean": groups[shown].mean(), "median": groups[shown].median(), "p10": groups[shown].quantile(0.1),
                   "p90": groups[shown].quantile(0.9)}
     cells = pd.concat([table.add_suffix(f"_{name}") for name, table in statistics.items()], axis=1)
     cells = cells[[f"{column}_{name}" for column in shown for name in statistics]]
     cells.insert(0, "trials", groups.size())
-    return cells.reset_index()
+    return cells
+
+
+def cells_of(records):
+    """The statistics over trials of each cell at each number of iterations"""
+    return statistics_of(records.groupby(CELL + ["iterations"])).reset_index()
+
+
+def ends_of(records):
+    """The statistics of each cell over the last records of its trials, which may end after different numbers of
+    iterations; these are fewest and most"""
+    last = records.loc[records.groupby(CELL + ["number"])["iterations"].idxmax()]
+    groups = last.groupby(CELL)
+    ends = statistics_of(groups)
+    ends.insert(0, "fewest", groups["iterations"].min())
+    ends.insert(1, "most", groups["iterations"].max())
+    return ends.reset_index()

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ompl/config.h>
+#include <set>
 #include <sstream>
 
 namespace
@@ -19,6 +20,15 @@ namespace
         const Folder folder;
         const int status = std::system(("(" + command + ") > '" + (folder / "text") + "' 2>&1").c_str());
         return {WEXITSTATUS(status), contentOf(folder / "text")};
+    }
+
+    /** A count of the last record of a trial */
+    double last(const nlohmann::json &trial, const std::string &column)
+    {
+        std::size_t i = 0;
+        while (trial.at("columns").at(i) != column)
+            ++i;
+        return trial.at("records").back().at(i).get<double>();
     }
 
     std::string tool(const std::string &name)
@@ -57,14 +67,7 @@ TEST_F(ExperimentTools, tablesFiguresAndReportShowWhatWasMeasured)
     ASSERT_EQ(answer.code, 0) << answer.text;
     const auto trial = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-shared-t0002.json"));
     const auto standard = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-fcl-t0002.json"));
-    const auto last = [](const nlohmann::json &of, const std::string &column)
-    {
-        std::size_t i = 0;
-        while (of.at("columns").at(i) != column)
-            ++i;
-        return of.at("records").back().at(i).get<double>();
-    };
-    const auto at100 = [&last](const nlohmann::json &of)
+    const auto at100 = [](const nlohmann::json &of)
     { return last(of, "processor_seconds") + 99.0 * last(of, "obstacle_seconds"); };
     std::istringstream lines(contentOf(tables + "/records.csv"));
     std::string line;
@@ -113,6 +116,36 @@ TEST_F(ExperimentTools, tablesFiguresAndReportShowWhatWasMeasured)
                                     std::string("<svg"), std::string("The paper says"), ompl})
         EXPECT_NE(report.find(part), std::string::npos) << part;
     EXPECT_EQ(report.find("src='/"), std::string::npos);
+}
+
+TEST_F(ExperimentTools, reportTakesTheLastRecordOfEachTrial)
+{
+    writeFile(folder_ / "goal.yaml",
+              "trials: 4\niterations: 3000\nscenes:\n  - random_polygons: {obstacles: 40}\n"
+              "    robots: [2]\nplanners:\n  - {planner: RRT, parameters: {range: 5}}\n"
+              "methods: [partial]\n");
+    const std::string out = folder_ / "goal", tables = folder_ / "tables", report = folder_ / "report.html";
+    Program program("certificate_experiment", {folder_ / "goal.yaml", "--out", out});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    const Answer answer = shell(tool("make_tables.py") + out + " " + tables + " && " + tool("make_report.py") + out +
+                                " " + tables + " " + (folder_ / "figures") + " " + report);
+    ASSERT_EQ(answer.code, 0) << answer.text;
+    double sum = 0.0;
+    std::set<int> ends;
+    for (const auto &entry : std::filesystem::directory_iterator(out + "/trials"))
+    {
+        const auto trial = nlohmann::json::parse(contentOf(entry.path().string()));
+        sum += last(trial, "asked") / last(trial, "motion_samples");
+        ends.insert(static_cast<int>(last(trial, "iterations")));
+    }
+    ASSERT_GT(ends.size(), 1u) << "trials end at the goal";
+    char mean[20];
+    std::snprintf(mean, sizeof(mean), "%.2f %%", 25.0 * sum);
+    const std::string text = contentOf(report);
+    for (const std::string &part : std::vector<std::string>{
+             std::to_string(*ends.begin()) + " to " + std::to_string(*ends.rbegin()), "<td>4</td>",
+             "<td>" + std::string(mean) + "</td>", "Whether there is a crossover was not measured"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
 TEST_F(ExperimentTools, logsAreThoseOfOmpl)
