@@ -110,7 +110,7 @@ namespace generators
             Eigen::Vector3d point(place.x() + radius * std::cos(angle), place.y() + radius * std::sin(angle),
                                   isOnTop ? PERSON_HEIGHT : PERSON_HEIGHT * share);
             for (double &coordinate : point)
-                coordinate += random_.uniform(-SCAN_NOISE, NOISE);
+                coordinate += random_.uniform(-SCAN_NOISE, SCAN_NOISE);
             points.push_back(point);
         }
         return points;
