@@ -19,9 +19,11 @@
 #include "ompl_certificates/scene/Scene.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <ompl/util/Console.h>
 #include <unistd.h>
 
@@ -100,14 +102,24 @@ namespace
         return places;
     }
 
+    /** What became of the certificates \e before, by their points: a plan adds others, and changes their order. */
     MovingWorldTable::Certificates compare(const std::vector<Certificate> &before,
                                            const std::vector<Certificate> &after)
     {
+        const auto key = [](const Certificate &certificate) {
+            return std::array<double, 3>{certificate.point.x(), certificate.point.y(), certificate.point.z()};
+        };
+        std::map<std::array<double, 3>, double> clearances;
+        for (const Certificate &certificate : after)
+            clearances[key(certificate)] = certificate.clearance;
         MovingWorldTable::Certificates counts;
-        for (std::size_t i = 0; i < before.size(); ++i)
-            ++(after[i].clearance == before[i].clearance ? counts.kept
-               : after[i].clearance > 0.0                ? counts.repaired
-                                                         : counts.lost);
+        for (const Certificate &certificate : before)
+        {
+            const auto now = clearances.find(key(certificate));
+            ++(now == clearances.end() || now->second <= 0.0 ? counts.lost
+               : now->second == certificate.clearance        ? counts.kept
+                                                             : counts.repaired);
+        }
         return counts;
     }
 
@@ -277,10 +289,10 @@ namespace
         MovingWorldPicture picture(CrowdedHall::SIZE.x(), CrowdedHall::SIZE.y(), world.getFixtures());
         const End end = makeFrames(options, world, table, picture);
         std::fputs(table.summary().c_str(), stdout);
-        if (!options.csv.empty())
-            demos::writeOutput(options.csv, table.toCsv());
-        if (!options.animation.empty())
-            demos::writeOutput(options.animation, picture.toSvg(FRAME_SECONDS, CrowdedHall::PERSON_RADIUS));
+        demos::Outputs outputs;
+        outputs.attempt(options.csv, [&](const std::string &file) { demos::writeOutput(file, table.toCsv()); });
+        outputs.attempt(options.animation, [&](const std::string &file)
+                        { demos::writeOutput(file, picture.toSvg(FRAME_SECONDS, CrowdedHall::PERSON_RADIUS)); });
         if (end == End::INTERRUPTED)
             std::puts("interrupted: later frames are left out");
         if (end == End::DIFFERENT)
@@ -288,6 +300,7 @@ namespace
                 "certificates moving-world: in the next frame the three ways found different motions blocked, or "
                 "made different plans\n",
                 stderr);
+        outputs.finish();
         return end == End::ALL_DONE ? demos::SOLVED : demos::NOT_SOLVED;
     }
 }

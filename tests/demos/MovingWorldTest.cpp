@@ -3,6 +3,7 @@
 #include "generators/CrowdedHall.h"
 #include "support/Svg.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <sstream>
@@ -123,6 +124,43 @@ TEST(MovingWorld, animationShowsEachPersonDroneAndPlan)
     EXPECT_EQ(count(picture, " dur='0.5s'"), 32 + plans);
 }
 
+TEST(MovingWorld, newPlansChangeNoCertificates)
+{
+    // One person walks, far from most certificates. The drone turns back in the end: the new plan adds others.
+    const Folder folder;
+    const std::string csv = folder / "frames.csv";
+    Program program("moving_world", {"--people", "1", "--points", "3000", "--robots", "1", "--frames", "140",
+                                     "--at-once", "--csv", csv});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    std::size_t plans = 0;
+    for (const Row &row : rowsOf(csv))
+    {
+        const std::size_t kept = number(row, "certificates_kept"),
+                          changed = number(row, "certificates_repaired") + number(row, "certificates_lost");
+        if (row.at("result") != "new plan" || row.at("frame") == "1")
+            continue;
+        ++plans;
+        EXPECT_LT(10 * changed, kept) << "frame " << row.at("frame");
+    }
+    EXPECT_GT(plans, 0U);
+}
+
+TEST(MovingWorld, animationIsKeptIfTheTableCannotBeWritten)
+{
+    const Folder folder;
+    const std::string svg = folder / "hall.svg";
+    std::filesystem::create_directory(folder / "gone");
+    Program program("moving_world",
+                    small({"--frames", "100000", "--csv", folder / "gone/frames.csv", "--animation", svg}));
+    for (int i = 0; i < 6000 && program.output().find("|     2 |") == std::string::npos; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::filesystem::remove(folder / "gone");
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("gone/frames.csv"), std::string::npos) << program.errors();
+    EXPECT_NE(contentOf(svg).find("</svg>"), std::string::npos);
+}
+
 TEST(MovingWorld, figureIsDrawnFromItsFrames)
 {
     if (std::system("/usr/bin/python3 -c 'import pandas, matplotlib' 2>/dev/null") != 0)
@@ -205,6 +243,11 @@ TEST(CrowdedHall, peopleWalkAndKeepAwayFromWallsPlacesAndEachOther)
         // Those who stand are not seen anew.
         EXPECT_EQ(seen.come.size(), 400 * moved);
         EXPECT_EQ(seen.gone.size(), seen.come.size());
+        // The sensor is off by a centimeter at most.
+        double highest = 0.0;
+        for (const Eigen::Vector3d &point : seen.come)
+            highest = std::max(highest, point.z());
+        EXPECT_LE(highest, CrowdedHall::PERSON_HEIGHT + 0.01);
         before = places;
     }
     for (std::size_t i = 0; i < first.size(); ++i)
