@@ -54,6 +54,11 @@ namespace demos
         return timed([&] { return obstacles_->clearance(point); });
     }
 
+    double TimedObstacles::clearanceUpTo(const Eigen::Vector3d &point, double most) const
+    {
+        return timed([&] { return obstacles_->clearanceUpTo(point, most); });
+    }
+
     double TimedObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
         return timed([&] { return obstacles_->findNearest(point, part); });
@@ -62,6 +67,21 @@ namespace demos
     Touching TimedObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
         return timed([&] { return obstacles_->touches(body, pose, hit); });
+    }
+
+    BatchMask TimedObstacles::mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const
+    {
+        return timed([&] { return obstacles_->mayTouch(body, poses, error); });
+    }
+
+    double TimedObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
+    {
+        return timed([&] { return obstacles_->gap(body, pose, needed, wanted); });
+    }
+
+    bool TimedObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
+    {
+        return timed([&] { return obstacles_->staysFree(body, pose, distance); });
     }
 
     bool TimedObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const

@@ -72,35 +72,24 @@ namespace demos
             return obstacles_->getFingerprint();
         }
 
-        double gap(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose, double needed,
-                   double wanted) const override
+        bool knowsPadding() const override
         {
-            return obstacles_->gap(body, pose, needed, wanted);
-        }
-
-        ompl_certificates::BatchMask mayTouch(const ompl_certificates::Body &body,
-                                              const ompl_certificates::PoseBatch &poses,
-                                              const ompl_certificates::PoseError &error) const override
-        {
-            return obstacles_->mayTouch(body, poses, error);
+            return obstacles_->knowsPadding();
         }
 
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
         double clearance(const Eigen::Vector3d &point) const override;
-        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override
-        {
-            return obstacles_->clearanceUpTo(point, most);
-        }
-
-        bool staysFree(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
-                       double distance) const override
-        {
-            return obstacles_->staysFree(body, pose, distance);
-        }
-
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
         double findNearest(const Eigen::Vector3d &point, ompl_certificates::ObstaclePart &part) const override;
         ompl_certificates::Touching touches(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
                                             ompl_certificates::ObstaclePart *hit) const override;
+        ompl_certificates::BatchMask mayTouch(const ompl_certificates::Body &body,
+                                              const ompl_certificates::PoseBatch &poses,
+                                              const ompl_certificates::PoseError &error) const override;
+        double gap(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose, double needed,
+                   double wanted) const override;
+        bool staysFree(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
+                       double distance) const override;
         bool certainlyHits(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
                            ompl_certificates::ObstaclePart part) const override;
 
