@@ -27,6 +27,7 @@ namespace demos
         if (!begun_)
             return check();
         begun_ = false;
+        askedBefore_ = askedBefore_ || statistics_.getCount(&CheckCounts::robotPoses) != posesBefore_;
         const std::uint64_t poses = statistics_.getCount(&CheckCounts::endPoses);
         const std::uint64_t asked = statistics_.getCount(&CheckCounts::endAsked);
         const bool valid = check();

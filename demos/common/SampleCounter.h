@@ -38,6 +38,7 @@ namespace demos
         void beginIteration()
         {
             begun_ = true;
+            posesBefore_ = statistics_.getCount(&ompl_certificates::CheckCounts::robotPoses);
         }
 
         const Counts &getCounts() const
@@ -46,10 +47,10 @@ namespace demos
         }
 
         /** \brief Whether the nodes that were counted are those of a tree of \e states states that began with \e
-            starts */
+            starts, and no sample was asked for before its motion, as EST does: the motion would find it known */
         bool isConsistentWith(std::uint64_t starts, std::uint64_t states) const
         {
-            return counts_.nodes + starts == states;
+            return counts_.nodes + starts == states && !askedBefore_;
         }
 
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
@@ -64,7 +65,8 @@ namespace demos
 
         ompl::base::MotionValidatorPtr inner_;
         const ompl_certificates::Statistics &statistics_;
-        mutable bool begun_{false};
+        mutable bool begun_{false}, askedBefore_{false};
+        std::uint64_t posesBefore_{0};
         mutable Counts counts_;
     };
 }
