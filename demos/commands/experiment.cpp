@@ -57,7 +57,10 @@ namespace
     {
         unsigned int index = 0, count = 0;
         char rest = 0;
-        if (std::sscanf(options.shard.c_str(), "%5u/%5u%c", &index, &count, &rest) != 2 || index < 1 || index > count)
+        // sscanf() takes signs and spaces, too.
+        const bool isPlain = options.shard.find_first_not_of("0123456789/") == std::string::npos;
+        if (!isPlain || std::sscanf(options.shard.c_str(), "%5u/%5u%c", &index, &count, &rest) != 2 || index < 1 ||
+            index > count)
             throw ompl::Exception("--shard", "must be I/N with 1 <= I <= N, not '" + options.shard + "'");
         options.index = index - 1;
         options.count = count;
@@ -225,14 +228,16 @@ namespace
         readShard(options);
         const demos::ExperimentGrid grid(options.grid);
         const demos::ExperimentFolder folder(options.out, grid);
-        std::vector<ExperimentTrial> trials = folder.getTrials(options.index, options.count);
+        const std::vector<ExperimentTrial> all = folder.getTrials(0, 1);
         const auto isOther = [&options](const ExperimentTrial &trial)
         { return trial.getName().find(options.only) == std::string::npos; };
-        trials.erase(std::remove_if(trials.begin(), trials.end(), isOther), trials.end());
-        if (trials.empty() && !options.only.empty())
+        if (std::all_of(all.begin(), all.end(), isOther))
             throw ompl::Exception("--only", "the grid has no trial with '" + options.only +
-                                                "' in its name; the first is " +
-                                                folder.getTrials(0, 1).front().getName());
+                                                "' in its name; the first is " + all.front().getName());
+        std::vector<ExperimentTrial> trials = folder.getTrials(options.index, options.count);
+        trials.erase(std::remove_if(trials.begin(), trials.end(), isOther), trials.end());
+        if (trials.empty())
+            std::printf("no trial of share %s is to be run\n", options.shard.c_str());
         Progress progress(trials.size());
         std::vector<ExperimentTrial> missing;
         for (const ExperimentTrial &trial : trials)

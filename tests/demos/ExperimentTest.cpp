@@ -171,6 +171,33 @@ TEST(Experiment, runsOnlyTheTrialsThatWereAskedFor)
     EXPECT_EQ(trialsOf(folder / "out").count("polygons-r3-RRTstar-shared-t0002.json"), 1u);
     EXPECT_EQ(trialsOf(folder / "out").size(), 17u);
     EXPECT_NE(runOnly("RRTConnect").find("no trial with 'RRTConnect'"), std::string::npos);
+
+    // In whichever share it is, the others have nothing to do.
+    for (const char *shard : {"1/2", "2/2"})
+    {
+        Program program("certificate_experiment", {folder / "grid.yaml", "--out", folder / "shares", "--shard", shard,
+                                                   "--only", "r3-RRTstar-shared-t0002"});
+        EXPECT_EQ(program.wait(), 0) << program.errors();
+    }
+    EXPECT_EQ(trialsOf(folder / "shares").size(), 1u);
+}
+
+TEST(Experiment, countsNoSamplesThatWereAskedForBeforeTheirMotion)
+{
+    const Folder folder;
+    writeFile(folder / "grid.yaml",
+              "trials: 1\niterations: 300\ngoal: false\nscenes:\n  - random_polygons: {obstacles: "
+              "10}\nplanners:\n  - {planner: EST}\n  - {planner: RRT}\nmethods: [shared]\n");
+    std::string errors;
+    ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "out", errors), 0) << errors;
+    const auto trials = trialsOf(folder / "out");
+    const json est = last(trials.at("polygons-r1-EST-shared-t0001.json")),
+               rrt = last(trials.at("polygons-r1-RRT-shared-t0001.json"));
+    for (const char *column : {"samples", "nodes", "sample_poses", "sample_asked", "node_poses", "node_asked"})
+    {
+        EXPECT_TRUE(est.at(column).is_null()) << column;
+        EXPECT_GT(rrt.at(column), 0) << column;
+    }
 }
 
 TEST(Experiment, refusesTheFolderOfAnotherGrid)
@@ -316,7 +343,7 @@ TEST(Experiment, refusesBadGrids)
         EXPECT_FALSE(std::filesystem::exists(folder / "out"));
     }
     writeFile(folder / "grid.yaml", good);
-    for (const char *shard : {"0/2", "3/2", "1", "1/2x", "a/b"})
+    for (const char *shard : {"0/2", "3/2", "1", "1/2x", "a/b", "1/-1", "+1/2", " 1/2"})
     {
         std::string errors;
         EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "out", errors, shard), 2) << shard;
