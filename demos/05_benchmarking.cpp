@@ -1,4 +1,4 @@
-// OMPL's benchmark, once for each method, and what it measured. benchmark_team does this for scenes in files.
+// OMPL's benchmark, once for each method, and what it measured. certificates benchmark does this for scenes in files.
 
 #include <ompl_certificates/obstacles/FclObstacles.h>
 #include <ompl_certificates/planning/TeamSetup.h>
@@ -7,8 +7,41 @@
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/tools/benchmark/Benchmark.h>
+#include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
+
+/** A benchmark whose runs are alike with each method: run i has seed i, and begins without certificates. */
+class MethodBenchmark : public ompl::tools::Benchmark
+{
+public:
+    explicit MethodBenchmark(TeamSetup &setup) : Benchmark(setup, "columns"), setup_(setup)
+    {
+        addPlanner(std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation()));
+        setPreRunEvent([this](const ompl::base::PlannerPtr & /*planner*/) { prepareRun(); });
+        setPostRunEvent(
+            [this](const ompl::base::PlannerPtr & /*planner*/, RunProperties &run)
+            {
+                // OMPL's check of the solution is among these.
+                run["fcl_calls INTEGER"] = std::to_string(setup_.getStatistics().getCounts().exactCalls);
+                run["time_in_checking REAL"] = std::to_string(setup_.getStatistics().getCheckingSeconds());
+            });
+    }
+
+private:
+    void prepareRun()
+    {
+        ompl::RNG::setSeed(status_.activeRun + 1);
+        // A planner keeps its random numbers from run to run: only a new one obeys the seed.
+        planners_.front() = std::make_shared<ompl::geometric::RRT>(setup_.getSpaceInformation());
+        planners_.front()->setProblemDefinition(setup_.getProblemDefinition());
+        planners_.front()->setup();
+        setup_.getTeamChecker()->clear();
+        setup_.getStatistics().reset();
+    }
+
+    TeamSetup &setup_;
+};
 
 int main()
 {
@@ -31,22 +64,14 @@ int main()
         goal = std::vector<double>{8.0, 8.0, 2.0, 2.0};
         setup.setStartAndGoalStates(start, goal);
 
-        ompl::tools::Benchmark benchmark(setup, "columns " + nameOf(method));
-        benchmark.addPlanner(std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation()));
-        benchmark.setPreRunEvent([&setup](const ompl::base::PlannerPtr & /*planner*/)
-                                 { setup.getStatistics().reset(); });
-        benchmark.setPostRunEvent(
-            [&setup](const ompl::base::PlannerPtr & /*planner*/, ompl::tools::Benchmark::RunProperties &run)
-            {
-                run["fcl_calls INTEGER"] = std::to_string(setup.getStatistics().getCounts().exactCalls);
-                run["time_in_checking REAL"] = std::to_string(setup.getStatistics().getCheckingSeconds());
-            });
+        MethodBenchmark benchmark(setup);
         benchmark.benchmark(ompl::tools::Benchmark::Request(5.0, 1000.0, 3, 0.1, false, false, false));
 
         // saveResultsToFile() would write the log that ompl_benchmark_statistics reads.
         for (const auto &run : benchmark.getRecordedExperimentData().planners.front().runs)
         {
-            std::cout << nameOf(method) << ": solved " << run.at("solved BOOLEAN") << ", time " << run.at("time REAL")
+            std::cout << nameOf(method) << ": solved " << run.at("solved BOOLEAN") << ", states "
+                      << run.at("graph states INTEGER") << ", time " << run.at("time REAL")
                       << " s, of which in checking " << run.at("time_in_checking REAL") << " s, FCL calls "
                       << run.at("fcl_calls INTEGER") << '\n';
             solved = solved && run.at("solved BOOLEAN") == "1";

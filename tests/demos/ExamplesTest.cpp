@@ -2,6 +2,8 @@
 #include "support/Folder.h"
 
 #include <filesystem>
+#include <map>
+#include <sstream>
 
 TEST(Examples, solve)
 {
@@ -15,6 +17,20 @@ TEST(Examples, solve)
         EXPECT_EQ(program.wait(), 0) << name << "\n" << program.errors();
         EXPECT_NE(program.output(), "") << name;
     }
+}
+
+TEST(Examples, BenchmarkGrowsTheSameTreesWithAllMethods)
+{
+    Program program("05_benchmarking", {});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    std::istringstream lines(program.output());
+    std::map<std::string, std::string> states;
+    for (std::string line; std::getline(lines, line);)
+        if (const std::size_t at = line.find(", states "); at != std::string::npos)
+            states[line.substr(0, line.find(':'))] += line.substr(at, line.find(", time") - at);
+    EXPECT_EQ(states.size(), 5u) << program.output();
+    for (const auto &[method, counts] : states)
+        EXPECT_EQ(counts, states.begin()->second) << method;
 }
 
 TEST(Examples, PlanAmongAnOctomapThatTheyWrite)
