@@ -3,6 +3,8 @@
 #include "files/WholeFile.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +13,22 @@ using namespace ompl_certificates;
 
 namespace generators
 {
+    namespace
+    {
+        /** A file's name as a value of YAML: in quotes if it may mean something else there */
+        std::string quoted(const std::string &name)
+        {
+            const auto isPlain = [](unsigned char c)
+            { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
+            if (std::all_of(name.begin(), name.end(), isPlain))
+                return name;
+            std::string text = "'";
+            for (const char c : name)
+                text += c == '\'' ? std::string("''") : std::string(1, c);
+            return text + "'";
+        }
+    }
+
     void writeScene(const SceneTexts &scene, const std::string &file)
     {
         const std::filesystem::path path(file);
@@ -18,8 +36,15 @@ namespace generators
         for (const auto &[name, text] : scene.meshes)
             writeWholeFile((path.parent_path() / (stem + name)).string(), text);
         std::string yaml = scene.yaml;
-        for (std::size_t at = yaml.find("file: @"); at != std::string::npos; at = yaml.find("file: @"))
-            yaml.replace(at + 6, 1, stem);
+        const std::string mark = "file: @";
+        for (std::size_t at = yaml.find(mark); at != std::string::npos; at = yaml.find(mark, at))
+        {
+            at += mark.size() - 1;
+            const std::size_t length = yaml.find_first_of(",}\n", at) - at;
+            const std::string name = quoted(stem + yaml.substr(at + 1, length - 1));
+            yaml.replace(at, length, name);
+            at += name.size();
+        }
         writeWholeFile(file, yaml);
     }
 

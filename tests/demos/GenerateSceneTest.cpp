@@ -28,6 +28,20 @@ TEST(GenerateScene, WritesEachKind)
     EXPECT_EQ(program.output(), contentOf(SCENES + "teams/window_8.yaml"));
 }
 
+TEST(GenerateScene, WritesScenesOfAnyName)
+{
+    const Folder folder;
+    for (const std::string name : {"@maze", "a, b", "my: maze", "it's", "{x} #1"})
+        for (const std::string kind : {"maze", "cloud"})
+        {
+            const std::string file = folder / (name + " " + kind + ".yaml");
+            Program program("generate_scene", {"--kind", kind, "--output", file});
+            EXPECT_EQ(program.wait(), 0) << program.errors();
+            Program reader("plan_team", {file, "--dry-run"});
+            EXPECT_EQ(reader.wait(), 0) << reader.errors();
+        }
+}
+
 TEST(GenerateScene, RefusesOptionsOfOtherKinds)
 {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
