@@ -9,6 +9,7 @@
 #include "common/FclChecker.h"
 #include "common/Interrupt.h"
 #include "common/Limit.h"
+#include "common/Outputs.h"
 #include "common/ProgressBar.h"
 
 #include "ompl_certificates/pictures/PlanReport.h"
@@ -185,6 +186,16 @@ namespace
         return text;
     }
 
+    std::string sceneFileOf(const Options &options, const Task &task)
+    {
+        return options.scenes + "/" + task.scene + ".yaml";
+    }
+
+    std::string pictureOf(const Options &options, const Task &task)
+    {
+        return options.out + "/" + task.scene + ".svg";
+    }
+
     /** All plans of one scene: for each seed one with each program, in turns */
     class Comparison
     {
@@ -193,26 +204,33 @@ namespace
         {
         }
 
-        /** Returns false if interrupted. */
+        /** Returns false if interrupted. Then the seed that was under way is left out. */
         bool run()
         {
-            const std::string file = options_.scenes + "/" + task_.scene + ".yaml";
-            loadScene(file).validate();
             const demos::ProgressBar bar([this] { return getProgress(); }, options_.quiet);
             for (unsigned int seed = 1; seed <= options_.seeds; ++seed)
                 for (std::size_t program = 0; program < PROGRAMS.size(); ++program, ++plansDone_)
                 {
                     // Read anew each time: the trees of bodies are kept with them, and are part of what is measured.
-                    const Scene scene = loadScene(file);
+                    const Scene scene = loadScene(sceneFileOf(options_, task_));
                     ompl::RNG::setSeed(seed);
                     demos::Limit limit(0.0, task_.iterations);
-                    const std::string picture =
-                        countSolved(program) > 0 ? "" : options_.out + "/" + task_.scene + ".svg";
+                    const std::string picture = countSolved(program) > 0 ? "" : pictureOf(options_, task_);
                     runs_[program].push_back(planWith(program, scene, task_, limit, picture));
                     if (demos::interrupted())
+                    {
+                        for (std::vector<Run> &runs : runs_)
+                            runs.resize(seed - 1);
                         return false;
+                    }
                 }
             return true;
+        }
+
+        /** The seeds that all programs have planned with */
+        std::size_t countSeeds() const
+        {
+            return runs_[0].size();
         }
 
         bool areTreesEqual() const
@@ -232,9 +250,9 @@ namespace
                     std::snprintf(faster, sizeof(faster), "%.1f",
                                   sum(0, &Run::totalSeconds) / sum(program, &Run::totalSeconds));
                 std::printf(
-                    "| %-26s | %-14s | %3d of %-3u | %8.2f | %11.2f | %12s | %9s | %11s | %9s | %7s | %-11s |\n",
+                    "| %-26s | %-14s | %3d of %-3zu | %8.2f | %11.2f | %12s | %9s | %11s | %9s | %7s | %-11s |\n",
                     program == 0 ? (task_.scene + ", " + task_.planner).c_str() : "", PROGRAMS[program].c_str(),
-                    countSolved(program), options_.seeds, sum(program, &Run::totalSeconds),
+                    countSolved(program), countSeeds(), sum(program, &Run::totalSeconds),
                     sum(program, &Run::checkingSeconds), faster, grouped(sum(program, &Run::motions)).c_str(),
                     grouped(sum(program, &Run::robotPoses)).c_str(), grouped(sum(program, &Run::fclCalls)).c_str(),
                     grouped(sum(program, &Run::states)).c_str(),
@@ -305,6 +323,20 @@ namespace
             "trees were equal, 1 if not or if interrupted, 2 for bad input.");
     }
 
+    /** What cannot be read or written shows here, before anything is planned. */
+    void prepare(const Options &options)
+    {
+        std::vector<std::pair<std::string, std::string>> pictures;
+        std::vector<std::string> scenes;
+        for (const Task &task : TASKS)
+        {
+            scenes.push_back(sceneFileOf(options, task));
+            loadScene(scenes.back()).validate();
+            pictures.emplace_back("--out", pictureOf(options, task));
+        }
+        demos::prepareOutputs(pictures, scenes);
+    }
+
     int run(const Options &options)
     {
         // OMPL complains about every seed but the first, though all that is made later obeys it.
@@ -314,18 +346,21 @@ namespace
         std::filesystem::create_directories(options.out, error);
         if (error)
             throw ompl::Exception("--out", options.out + " cannot be made: " + error.message());
+        prepare(options);
         bool equal = true;
         for (const Task &task : TASKS)
         {
             Comparison comparison(options, task);
-            if (!comparison.run())
+            const bool isComplete = comparison.run();
+            if (&task == &TASKS.front() && comparison.countSeeds() > 0)
+                Comparison::printHeader();
+            if (comparison.countSeeds() > 0)
+                comparison.print();
+            if (!isComplete)
             {
-                std::puts("interrupted: scenes of which nothing is printed were not compared");
+                std::puts("interrupted: rows have the seeds that were complete");
                 return demos::NOT_SOLVED;
             }
-            if (&task == &TASKS.front())
-                Comparison::printHeader();
-            comparison.print();
             equal = equal && comparison.areTreesEqual();
         }
         return equal ? demos::SOLVED : demos::NOT_SOLVED;

@@ -23,6 +23,24 @@ TEST(CompareWithOmpl, refusesBadOptions)
     }
 }
 
+TEST(CompareWithOmpl, looksAtAllFilesBeforeItPlans)
+{
+    const Folder folder;
+    std::filesystem::create_directories(folder / "half");
+    std::filesystem::copy(SCENES + "paper_five_discs.yaml", folder / "half");
+    std::filesystem::create_directories(folder / "out/sixteen_robots.svg");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--scenes", folder / "half", "--out", folder / "pictures"}, "half/maze.yaml"},
+        {{"--scenes", SCENES, "--out", folder / "out"}, "--out: " + (folder / "out/sixteen_robots.svg")}};
+    for (const auto &[arguments, complaint] : cases)
+    {
+        Program program("compare_with_ompl", arguments);
+        EXPECT_EQ(program.wait(), 2);
+        EXPECT_NE(program.errors().find(complaint), std::string::npos) << program.errors();
+        EXPECT_EQ(program.output(), "");
+    }
+}
+
 TEST(CompareWithOmpl, endsWhenInterrupted)
 {
     for (const int signal : {SIGINT, SIGTERM})
