@@ -82,8 +82,8 @@ namespace
             ->check(demos::countUpTo(4000000000ull))
             ->capture_default_str();
         app.add_option("--log", options.log,
-                       "Write a log for ompl_benchmark_statistics, - to standard output; of several scenes one each: "
-                       "of F.log they are F_SCENE.log");
+                       "Write a log for ompl_benchmark_statistics. Of one scene it may be -, for standard output; of "
+                       "several there is one each: of F.log they are F_SCENE.log");
         app.footer("Returns 0 when the benchmark is complete, 1 if it was interrupted, 2 for bad input.");
     }
 
@@ -109,6 +109,24 @@ namespace
         return (log.parent_path() / (name + (log.has_extension() ? log.extension().string() : ".log"))).string();
     }
 
+    /** Where the logs of all scenes go, which must be different files */
+    std::vector<std::pair<std::string, std::string>> logsOf(const Options &options)
+    {
+        if (options.log == "-" && options.scenes.size() > 1)
+            throw ompl::Exception("--log", "- is for one scene; of several, name a file");
+        std::vector<std::pair<std::string, std::string>> logs;
+        for (const std::string &scene : options.scenes)
+        {
+            const std::string log = logOf(options, scene);
+            for (std::size_t i = 0; i < logs.size() && !log.empty(); ++i)
+                if (logs[i].second == log)
+                    throw ompl::Exception("--log", log + " would be the log of " + options.scenes[i] + " and of " +
+                                                       scene + ": benchmark them one by one");
+            logs.emplace_back("--log", log);
+        }
+        return logs;
+    }
+
     /** A scene and what of its benchmark the options left open */
     struct Task
     {
@@ -126,10 +144,8 @@ namespace
         const bool isForOne = planner != name && std::any_of(planners.begin(), planners.end(), isNamed);
         for (demos::PlannerChoice &choice : planners)
             if (!isForOne || isNamed(choice))
-            {
-                choice.parameters.emplace_back(isForOne ? name.substr(planner.size() + 1) : name, value);
-                choice.source = "--planner-param: " + choice.planner;
-            }
+                choice.parameters.push_back(
+                    {isForOne ? name.substr(planner.size() + 1) : name, value, "--planner-param: " + choice.planner});
     }
 
     Task readTask(const Options &options, const std::string &file)
@@ -264,9 +280,7 @@ namespace
         const auto order = [](Method method) { return method == Method::FCL ? 0 : method == Method::STANDARD ? 1 : 2; };
         std::stable_sort(methods.begin(), methods.end(), [&](Method a, Method b) { return order(a) < order(b); });
 
-        std::vector<std::pair<std::string, std::string>> logs;
-        for (const std::string &file : options.scenes)
-            logs.emplace_back("--log", logOf(options, file));
+        const auto logs = logsOf(options);
         std::vector<std::string> inputs = options.scenes;
         inputs.insert(inputs.end(), {options.moveIt.request, options.moveIt.urdf, options.moveIt.srdf});
         demos::prepareOutputs(logs, inputs);
@@ -279,6 +293,7 @@ namespace
         }
 
         demos::catchInterrupts();
+        demos::Outputs outputs;
         for (std::size_t i = 0; i < tasks.size() && !demos::interrupted(); ++i)
         {
             const Task &task = tasks[i];
@@ -289,13 +304,15 @@ namespace
                 std::puts("interrupted: these are the runs that were complete");
             printTable(task.scene.getName(), benchmark.getRuns(), task.planners, methods);
             std::fflush(stdout);
-            if (!logs[i].second.empty())
-            {
-                std::ostringstream log;
-                benchmark.saveResultsToStream(log);
-                demos::writeOutput(logs[i].second, log.str());
-            }
+            outputs.attempt(logs[i].second,
+                            [&](const std::string &file)
+                            {
+                                std::ostringstream log;
+                                benchmark.saveResultsToStream(log);
+                                demos::writeOutput(file, log.str());
+                            });
         }
+        outputs.finish();
         return demos::interrupted() ? demos::NOT_SOLVED : demos::SOLVED;
     }
 }

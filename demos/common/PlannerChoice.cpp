@@ -53,7 +53,9 @@ namespace demos
             if (name.empty())
                 throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve" +
                                                   didYouMean(planner.type, plannerNames()));
-            known.push_back({name, planner.title.empty() ? name : planner.title, planner.parameters, source});
+            known.push_back({name, planner.title.empty() ? name : planner.title});
+            for (const auto &[key, value] : planner.parameters)
+                known.back().parameters.push_back({key, value, source});
         }
         for (const std::string &name : names)
         {
@@ -61,12 +63,12 @@ namespace demos
             std::copy_if(known.begin(), known.end(), std::back_inserter(chosen),
                          [&name](const PlannerChoice &choice) { return choice.planner == name; });
             if (chosen.size() == before)
-                chosen.push_back({name, name, {}, ""});
+                chosen.push_back({name, name});
         }
         if (names.empty())
         {
             const std::string usual = file.scene.getMembers().size() > 1 ? "DRRTstar" : "RRTConnect";
-            chosen = known.empty() ? std::vector<PlannerChoice>{{usual, usual, {}, ""}} : known;
+            chosen = known.empty() ? std::vector<PlannerChoice>{{usual, usual}} : known;
         }
         std::set<std::string> titles;
         for (PlannerChoice &choice : chosen)
@@ -83,14 +85,14 @@ namespace demos
     {
         const ompl::base::PlannerPtr planner =
             ompl_certificates::makePlanner(choice.planner, si, {interrupted, afterSolve});
-        for (const auto &[key, value] : choice.parameters)
+        for (const PlannerParameter &parameter : choice.parameters)
             try
             {
-                setParameter(*planner, key, value);
+                setParameter(*planner, parameter.key, parameter.value);
             }
             catch (const std::exception &exception)
             {
-                throw ompl::Exception(choice.source, exception.what());
+                throw ompl::Exception(parameter.source, exception.what());
             }
         return planner;
     }

@@ -6,11 +6,19 @@
 #include <functional>
 #include <ompl/base/Planner.h>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace demos
 {
+    /** \brief A parameter of a planner */
+    struct PlannerParameter
+    {
+        std::string key, value;
+
+        /** \brief What complaints about it begin with, such as a file and its section */
+        std::string source;
+    };
+
     /** \brief A planner and its parameters, as a command line or a .cfg file of OMPL.app chooses it */
     struct PlannerChoice
     {
@@ -20,11 +28,7 @@ namespace demos
         /** \brief What tells it from others in tables and logs */
         std::string title;
 
-        /** \brief Parameters and their values */
-        std::vector<std::pair<std::string, std::string>> parameters;
-
-        /** \brief What complaints about parameters begin with, such as a file and its section */
-        std::string source;
+        std::vector<PlannerParameter> parameters{};
     };
 
     /** \brief The planners of these names, with the parameters that \e file has for them, which may give one several

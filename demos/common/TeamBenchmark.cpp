@@ -6,6 +6,7 @@
 #include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
@@ -84,6 +85,11 @@ namespace demos
         }
         catch (const Interruption &)
         {
+            // What benchmark() fills in at its end, or has taken for granted
+            exp_.totalDuration = ompl::time::seconds(ompl::time::now() - exp_.startTime);
+            exp_.runCount = 0;
+            for (const PlannerExperiment &planner : exp_.planners)
+                exp_.runCount = std::max(exp_.runCount, static_cast<unsigned int>(planner.runs.size()));
             return false;
         }
     }

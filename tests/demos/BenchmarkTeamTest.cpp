@@ -104,6 +104,11 @@ TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
         const auto runs = runsOf(contentOf(folder / "teams.log"), "geometric_RRTstar[shared]", names);
         EXPECT_GE(runs.size(), 1u);
         EXPECT_LT(runs.size(), 900u);
+        const std::string log = contentOf(folder / "teams.log");
+        EXPECT_NE(log.find("\n" + std::to_string(runs.size()) + " runs per planner\n"), std::string::npos) << log;
+        const std::size_t spent = log.find(" seconds spent");
+        ASSERT_NE(spent, std::string::npos) << log;
+        EXPECT_GE(std::stod(log.substr(log.rfind('\n', spent) + 1)), 0.5 * static_cast<double>(runs.size()));
         const auto time = std::find(names.begin(), names.end(), "time REAL");
         ASSERT_NE(time, names.end());
         for (const auto &run : runs)
@@ -151,6 +156,56 @@ TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)
                                        "--runs", "1", "--time", "0.5", "--log", "/dev/full"});
     EXPECT_EQ(program.wait(), 2);
     EXPECT_NE(program.errors().find("/dev/full"), std::string::npos) << program.errors();
+}
+
+TEST(BenchmarkTeam, writesOtherLogsWhereOneFails)
+{
+    const Folder folder;
+    writeFile(folder / "first.yaml", easyScene());
+    writeFile(folder / "second.yaml", easyScene());
+    const auto before = std::filesystem::last_write_time(folder.path());
+    Program program("benchmark_team",
+                    {folder / "first.yaml", folder / "second.yaml", "--planners", "RRTstar", "--methods", "shared",
+                     "--runs", "1", "--time", "0.7", "--log", folder / "x.log"});
+    // Once it has tried whether it can write, a folder takes the first log's place.
+    for (int i = 0; i < 30000 && std::filesystem::last_write_time(folder.path()) == before; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::filesystem::create_directory(folder / "x_first.log");
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("x_first.log"), std::string::npos) << program.errors();
+    EXPECT_NE(contentOf(folder / "x_second.log").find("geometric_RRTstar[shared]"), std::string::npos);
+}
+
+TEST(BenchmarkTeam, saysWhichScenesWouldShareALog)
+{
+    const Folder folder;
+    std::filesystem::create_directories(folder / "other");
+    writeFile(folder / "scene.yaml", easyScene());
+    writeFile(folder / "other/scene.yaml", easyScene());
+    const std::string first = folder / "scene.yaml", second = folder / "other/scene.yaml";
+    for (const auto &[log, complaint] : {std::pair<std::string, std::string>{"-", "--log: - is for one scene"},
+                                         {folder / "x.log", "the log of " + first + " and of " + second}})
+    {
+        Program program("benchmark_team", {first, second, "--runs", "1", "--log", log});
+        EXPECT_EQ(program.wait(), 2);
+        EXPECT_NE(program.errors().find(complaint), std::string::npos) << program.errors();
+    }
+}
+
+TEST(BenchmarkTeam, blamesTheFileOfABadParameter)
+{
+    const Folder folder;
+    const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    writeFile(folder / "robot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces);
+    writeFile(folder / "world.obj", "v 20 20 0\nv 30 20 0\nv 20 30 0\nv 20 20 5\n" + faces);
+    writeFile(folder / "scene.cfg",
+              "[problem]\nname = test\nrobot = robot.obj\nworld = world.obj\nstart.x = 1\nstart.y = 2\n"
+              "start.theta = 0\ngoal.x = 35\ngoal.y = 4\ngoal.theta = 0\nvolume.min.x = 0\nvolume.min.y = 0\n"
+              "volume.max.x = 40\nvolume.max.y = 40\n[planner]\nrrt=\nrrt.goal_bias=often\n");
+    Program program("benchmark_team", {folder / "scene.cfg", "--runs", "1", "--planner-param", "range=5"});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("scene.cfg: [planner] rrt: "), std::string::npos) << program.errors();
 }
 
 TEST(BenchmarkTeam, writesALogToStandardOutput)
