@@ -163,6 +163,8 @@ namespace demos
         for (const std::string &parameter : options.parameters)
         {
             const auto [name, value] = splitAtEquals("--planner-param", parameter);
+            if (name == "range" && !options.range.empty())
+                throw ompl::Exception("--planner-param", "gives the range, which --range gives, too");
             set("--planner-param", name, value);
         }
     }

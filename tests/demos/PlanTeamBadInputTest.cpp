@@ -50,6 +50,7 @@ namespace
             {{"@/scene.yaml", "--seed", "99999999999"}, "--seed"},
             {{"@/scene.yaml", "--range", "-2"}, "--range"},
             {{"@/scene.yaml", "--planner", "PRM", "--range", "1"}, "--range"},
+            {{"@/scene.yaml", "--planner", "RRT", "--range", "5", "--planner-param", "range=7"}, "--range gives, too"},
             {{"@/scene.yaml", "--planner-param", "range"}, "--planner-param"},
             {{"@/scene.yaml", "--planner-param", "=1"}, "--planner-param"},
             {{"@/scene.yaml", "--planner-param", "speed=1"}, "speed"},
