@@ -525,7 +525,7 @@ class Checker:
         the default). At the limit none are added. A world that changes for hours needs one: each change looks at the
         certificates near it."""
     def clear_certificates(self) -> None:
-        """Forget all certificates. Not while others use the checker."""
+        """Forget all certificates. Waits for running checks of other threads."""
     def set_adaptive(self, adaptive: bool) -> None:
         """Whether to skip certificates where they have not paid lately (the default). If not, counts depend only on the
         states, for experiments. Not while others use the checker."""

@@ -146,7 +146,8 @@ namespace ompl_certificates_python
                 "change looks at the certificates near it.")
             .def(
                 "clear_certificates", [](Checker &self) { self.getSetup().getTeamChecker()->clear(); },
-                "Forget all certificates. Not while others use the checker.")
+                py::call_guard<py::gil_scoped_release>(),
+                "Forget all certificates. Waits for running checks of other threads.")
             .def("statistics", &statisticsOf, "How checks were settled so far, as in the report of a plan")
             .def(
                 "reset_statistics", [](Checker &self) { self.getSetup().getStatistics().reset(); },

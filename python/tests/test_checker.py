@@ -314,3 +314,38 @@ def test_collisions_name_what_is_added_and_what_is_left(room: oc.Scene) -> None:
     grid = checker.add_grid(np.ones((1, 1), dtype=bool), size=1.0, first=(8, 1))
     with pytest.raises(oc.Error, match=f"^room: goal: robot 'right' touches added grid {grid}$"):
         oc.plan(checker, time=1, goal=[1, 1, 8.5, 1.5])
+
+
+def test_certificates_are_forgotten_while_others_check(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    checker.set_adaptive(False)
+    states = np.random.default_rng(14).uniform(0, 10, (2000, 4))
+    valid = checker.is_valid(states)
+    done = threading.Event()
+    wrong: List[int] = []
+
+    def check() -> None:
+        while not done.is_set():
+            if not (checker.is_valid(states) == valid).all():
+                wrong.append(1)
+
+    threads = [threading.Thread(target=check) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for _ in range(300):
+        checker.clear_certificates()
+        time.sleep(0.001)
+    done.set()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+    calls = 0
+
+    def forget(seconds: float, cost: float) -> None:
+        nonlocal calls
+        calls += 1
+        checker.clear_certificates()
+
+    assert oc.plan(checker, "RRTstar", time=0.5, callback=forget, start=[1, 1, 9, 9], goal=[9, 9, 1, 1]).report
+    assert calls > 2

@@ -314,6 +314,15 @@ namespace ompl_certificates
                       });
     }
 
+    void TeamCheck::clear()
+    {
+        WorldLock::Change world(lock_);
+        world.close();
+        checkMethod_->clear();
+        pairs_.clear();
+        contexts_.forget();
+    }
+
     void TeamCheck::ignoreAllButObstacles()
     {
         looksAtObstaclesAlone_ = true;

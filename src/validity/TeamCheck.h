@@ -192,13 +192,8 @@ namespace ompl_certificates
             are. Before the first check. */
         void ignoreAllButObstacles();
 
-        /** \brief Removes all certificates. Not while others check. */
-        void clear()
-        {
-            checkMethod_->clear();
-            pairs_.clear();
-            contexts_.forget();
-        }
+        /** \brief See TeamValidityChecker::clear() */
+        void clear();
 
         /** \brief See TeamValidityChecker::setAdaptive() */
         void setAdaptive(bool adaptive)

@@ -108,7 +108,7 @@ namespace ompl_certificates
     WorldLock::Change::Change(WorldLock &lock) : lock_(lock)
     {
         if (Check::find(lastOfThisThread(), lock_) != nullptr)
-            throw ompl::Exception("The obstacles cannot be changed from within a check");
+            throw ompl::Exception("Within a check neither obstacles nor certificates can be changed");
         changes_ = std::unique_lock<std::mutex>(lock_.changes_);
         lock_.barsHolds_.store(true);
         waitForEndOf(lock_.holds_);

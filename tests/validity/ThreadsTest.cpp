@@ -1,8 +1,11 @@
 #include "support/Chain.h"
 #include "support/Checkers.h"
 
+#include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
 #include <thread>
 
 using namespace ompl_certificates;
@@ -67,6 +70,51 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
             EXPECT_EQ(counts.motions, 4U * 2U * count);
             EXPECT_EQ(si.getMotionValidator()->getCheckedMotionCount(), 4U * 2U * count);
         }
+}
+
+TEST_P(Threads, MayCheckWhileAllIsForgotten)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    Random random(GetParam());
+    const auto team = anyTeam(GetParam());
+    const Checkers checkers(team, anyObstacles(random, GetParam(), 10));
+    const auto &alone = *checkers.reference().getSpaceInformation();
+    std::vector<ob::ScopedState<>> states;
+    std::vector<bool> valid;
+    for (unsigned int i = 0; i < 200; ++i)
+    {
+        states.push_back(randomState(random, team));
+        valid.push_back(alone.isValid(states.back().get()));
+    }
+    for (const auto &setup : checkers.setups)
+    {
+        const auto checker = setup->getTeamChecker();
+        SCOPED_TRACE(nameOf(checker->getMethod()));
+        checker->setAdaptive(false);
+        std::atomic<bool> done{false};
+        std::atomic<unsigned int> wrong{0};
+        std::vector<std::thread> threads;
+        for (unsigned int thread = 0; thread < 3; ++thread)
+            threads.emplace_back(
+                [&]
+                {
+                    while (!done)
+                        for (std::size_t i = 0; i < states.size(); ++i)
+                            if (checker->isValid(states[i].get()) != valid[i])
+                                ++wrong;
+                });
+        for (unsigned int i = 0; i < scaled(50); ++i)
+        {
+            checker->clear();
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+        done = true;
+        for (auto &thread : threads)
+            thread.join();
+        EXPECT_EQ(wrong, 0U);
+        const auto world = checker->holdObstacles();
+        EXPECT_THROW(checker->clear(), ompl::Exception);
+    }
 }
 
 TEST_P(Threads, MayAskForClearances)

@@ -179,7 +179,8 @@ namespace ompl_certificates
         void addCertificates(const std::vector<Certificate> &certificates);
 
         /** \brief Removes all certificates. References in states become stale, which costs time but changes no verdict.
-            Not while others use the checker. */
+            Waits for checks of other threads as changeObstacles() does.
+            \throws ompl::Exception if called within a check, or by who holds the obstacles */
         void clear();
 
         /** \brief The implementation, for CertificateMotionValidator */
