@@ -453,7 +453,8 @@ class Checker:
     def describe_collision(self, state: ArrayLike) -> str:
         """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
         of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,
-        by their numbers."""
+        by their numbers. Of a collision each call takes time in proportion to all obstacles, so ask is_valid() about
+        many states."""
     def prove(self, path: ArrayLike) -> Proof:
         """Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also between its
         states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see

@@ -211,13 +211,14 @@ namespace ompl_certificates_python
         const std::string collision = setup_->getTeamChecker()->describeCollision(state);
         if (collision.empty())
             return collision;
-        const std::string named = getScene(nullptr).describeCollision(
-            std::static_pointer_cast<TeamStateSpace>(setup_->getStateSpace()), state);
+        const std::string named =
+            getScene(nullptr, nullptr)
+                .describeCollision(std::static_pointer_cast<TeamStateSpace>(setup_->getStateSpace()), state);
         // Another thread may have moved what was in the way.
         return named.empty() ? collision : named;
     }
 
-    Scene Checker::getScene(const ob::State *goal) const
+    Scene Checker::getScene(const ob::State *start, const ob::State *goal) const
     {
         Scene now(scene_.getName(), scene_.getSource(), scene_.getBounds());
         {
@@ -227,12 +228,16 @@ namespace ompl_certificates_python
         std::size_t i = 0;
         for (Scene::Member member : scene_.getMembers())
         {
+            const ob::StateSpace &space = *member.robot->getStateSpace();
+            if (start)
+                space.copyToReals(member.start, start->as<ob::CompoundState>()->components[i]);
             if (goal)
             {
-                member.robot->getStateSpace()->copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i++]);
+                space.copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i]);
                 member.region = nullptr;
             }
             now.addMember(member);
+            ++i;
         }
         return now;
     }

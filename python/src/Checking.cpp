@@ -77,7 +77,8 @@ namespace ompl_certificates_python
                     py::arg("state"),
                     "What collides in a state, in one line that names the obstacle and the link; empty if it is valid. "
                     "Obstacles of the scene are called as Scene.validate() calls them, others added obstacle 3, "
-                    "added cloud 1 or added grid 2, by their numbers.")
+                    "added cloud 1 or added grid 2, by their numbers. Of a collision each call takes time in "
+                    "proportion to all obstacles, so ask is_valid() about many states.")
                 .def(
                     "prove",
                     [](const Checker &self, const py::object &path)

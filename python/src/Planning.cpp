@@ -248,8 +248,10 @@ namespace ompl_certificates_python
             plan.checker = checker;
             plan.planner = setup.getPlanner();
             // It shows the goal that the path ends at.
-            plan.scene = std::make_shared<const Scene>(checker->getScene(
-                plan.report.solved ? setup.getSolutionPath().getStates().back() : goalOf(setup).get()));
+            const ob::ScopedState<> goal = goalOf(setup);
+            plan.scene = std::make_shared<const Scene>(
+                checker->getScene(setup.getProblemDefinition()->getStartState(0),
+                                  plan.report.solved ? setup.getSolutionPath().getStates().back() : goal.get()));
             plan.certificates = setup.getTeamChecker()->getCertificates();
         }
 

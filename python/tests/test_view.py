@@ -76,6 +76,28 @@ def test_without_a_solution_robots_stay_at_their_starts(room: oc.Scene) -> None:
     assert shown["end"] == 0 and len(floats(shown["robots"][0]["times"])) == 1
 
 
+def test_pages_and_pictures_show_the_start_of_their_plan(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    room.add_obstacle(oc.Body.box(0.2, 12), (7, 5))
+    checker = oc.Checker(room)
+    start = np.array([2.0, 8.0, 3.0, 2.0])
+    # The second plan starts where the first one does.
+    for given in (start, None):
+        plan = oc.plan(checker, "RRT", time=0.2, start=given)
+        assert not plan.solved
+        shown = shown_in(plan.view().html)
+        for i, robot in enumerate(shown["robots"]):
+            assert np.allclose(floats(robot["poses"])[:2] + shown["bounds"]["origin"][:2], start.reshape(-1, 2)[i])
+    checker.remove_obstacle(1)
+    plan = oc.plan(checker, "RRTConnect", time=20, first=True, start=start)
+    assert plan.solved
+    file = tmp_path / "plan.svg"
+    plan.save_picture(file)
+    svg = file.read_text(encoding="utf-8")
+    # The picture begins at (44, 44), with 72 pixels for a unit.
+    for x, y in start.reshape(-1, 2):
+        assert f"<circle cx='{44 + 72 * x:.2f}' cy='{44 + 72 * (10 - y):.2f}' r='36.00'" in svg
+
+
 def test_files_stay_where_there_is_no_room_for_new_ones(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     plan = oc.plan(room, time=5.0, first=True)
     page, path = tmp_path / "plan.html", tmp_path / "plan.csv"
