@@ -147,14 +147,40 @@ namespace ompl_certificates
     void MeshOutline::markEdge(const Eigen::Vector3d &from, const Eigen::Vector3d &to)
     {
         const Eigen::Vector3d along = to - from;
-        const double length = along.head<2>().norm();
-        const int steps = static_cast<int>(std::min(2.0 * length + 1.0, 4.0 * (columns_ + rows_)));
-        const double part = 1.0 / steps;
+        // The part within the grid, as fractions of the edge, which may be much longer
+        double begin = 0.0, end = 1.0;
+        for (const auto &[axis, size] : {std::pair(0, columns_), std::pair(1, rows_)})
+        {
+            if (along[axis] == 0.0 && !(from[axis] >= 0.0 && from[axis] < size))
+                return;
+            if (along[axis] == 0.0)
+                continue;
+            const auto [first, last] = std::minmax({-from[axis] / along[axis], (size - from[axis]) / along[axis]});
+            begin = std::max(begin, first);
+            end = std::min(end, last);
+        }
+        if (!(begin <= end))
+            return;
+        const double length = (end - begin) * along.head<2>().norm();
+        const int steps = static_cast<int>(std::min(4.0 * (columns_ + rows_), 2.0 * length + 1.0));
+        const double part = (end - begin) / steps;
+        int lastColumn = -1, lastRow = -1;
         for (int i = 0; i <= steps; ++i)
         {
-            const double t = i * part, x = from.x() + t * along.x(), y = from.y() + t * along.y();
-            if (x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_)
-                mark(static_cast<int>(x), static_cast<int>(y), static_cast<float>(from.z() + t * along.z()));
+            const double t = begin + i * part, x = from.x() + t * along.x(), y = from.y() + t * along.y();
+            if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_))
+                continue;
+            const int column = static_cast<int>(x), row = static_cast<int>(y);
+            const auto near = static_cast<float>(from.z() + t * along.z());
+            mark(column, row, near);
+            // Cells that touch at a corner alone would be specks, and none of them drawn.
+            if (lastColumn >= 0 && column != lastColumn && row != lastRow)
+            {
+                mark(column, lastRow, near);
+                mark(lastColumn, row, near);
+            }
+            lastColumn = column;
+            lastRow = row;
         }
     }
 
