@@ -36,18 +36,23 @@ namespace ompl_certificates
             svg.segments({{center - up, center + up}, {center - down, center + down}}, attributes);
         }
 
-        /** Draws the points of a cloud. Of many in one place of the picture one is drawn. */
+        /** Draws the points of a cloud. Of many in one place of the picture the largest is drawn. */
         void drawCloud(SvgWriter &svg, const SceneView &view, const PointCloudObstacles &cloud)
         {
             constexpr double pixels = 2.5;
-            std::set<std::pair<int, int>> drawn;
-            for (const Ball &ball : cloud.getBalls())
+            std::vector<Ball> balls = cloud.getBalls();
+            std::stable_sort(balls.begin(), balls.end(),
+                             [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
+            std::set<std::pair<double, double>> drawn;
+            for (const Ball &ball : balls)
             {
+                const double radius = ball.radius * view.getScale();
                 const Eigen::Vector2d at = view.project(ball.center), inView = at - view.getCorner();
-                if (!((inView.array() >= 0.0).all() && (inView.array() <= view.getSize().array()).all()))
+                // Those beside the picture may reach into it.
+                if (!((inView.array() >= -radius).all() && (inView.array() <= view.getSize().array() + radius).all()))
                     continue;
-                if (drawn.emplace(static_cast<int>(inView.x() / pixels), static_cast<int>(inView.y() / pixels)).second)
-                    svg.circle(at, std::max(0.5 * pixels, ball.radius * view.getScale()), "stroke='none'");
+                if (drawn.emplace(std::floor(inView.x() / pixels), std::floor(inView.y() / pixels)).second)
+                    svg.circle(at, std::max(0.5 * pixels, radius), "stroke='none'");
             }
         }
 

@@ -30,13 +30,30 @@ namespace ompl_certificates
             return {point.x(), point.y(), point.z()};
         }
 
-        bool isWithin(const ompl::base::RealVectorBounds &bounds, const Eigen::Vector3d &point)
+        /** Whether some of a ball is within the bounds */
+        bool reachesInto(const ompl::base::RealVectorBounds &bounds, const Ball &ball)
         {
+            double squaredDistance = 0.0;
             for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
-                if (const double value = point[static_cast<Eigen::Index>(axis)];
-                    value < bounds.low[axis] || value > bounds.high[axis])
-                    return false;
-            return true;
+            {
+                const double value = ball.center[static_cast<Eigen::Index>(axis)],
+                             beyond = value - std::clamp(value, bounds.low[axis], bounds.high[axis]);
+                squaredDistance += beyond * beyond;
+            }
+            return squaredDistance <= ball.radius * ball.radius;
+        }
+
+        /** Points of nearly the same radius, and the largest of these */
+        struct EqualPoints
+        {
+            std::vector<float> points;
+            double radius{0.0};
+        };
+
+        /** A number for radii that differ by at most some four per cent */
+        double classOf(double radius)
+        {
+            return std::floor(16.0 * std::log2(radius));
         }
 
         /** The cells of \e box that reach into the bounds; none if an end is not above its beginning */
@@ -119,18 +136,19 @@ namespace ompl_certificates
         for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
             if (const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.get()))
             {
-                std::vector<float> points;
-                double radius = 0.0;
                 std::vector<Ball> balls = cloud->getBalls();
-                const auto isBeyond = [this](const Ball &ball) { return !isWithin(scene_.getBounds(), ball.center); };
+                const auto isBeyond = [this](const Ball &ball) { return !reachesInto(scene_.getBounds(), ball); };
                 balls.erase(std::remove_if(balls.begin(), balls.end(), isBeyond), balls.end());
                 const std::size_t step = balls.size() / MAX_POINTS + 1;
+                std::map<double, EqualPoints> classes;
                 for (std::size_t i = 0; i < balls.size(); i += step)
                 {
-                    append(points, balls[i].center - origin_);
-                    radius = std::max(radius, balls[i].radius);
+                    EqualPoints &equal = classes[classOf(balls[i].radius)];
+                    append(equal.points, balls[i].center - origin_);
+                    equal.radius = std::max(equal.radius, balls[i].radius);
                 }
-                result.push_back({{"points", packed(points)}, {"radius", rounded(radius)}});
+                for (const auto &[number, equal] : classes)
+                    result.push_back({{"points", packed(equal.points)}, {"radius", rounded(equal.radius)}});
             }
         return result;
     }

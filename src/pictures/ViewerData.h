@@ -30,7 +30,8 @@ namespace ompl_certificates
         /** \brief Occupied cells, for each set of them; an array */
         nlohmann::json cells() const;
 
-        /** \brief Points with their radii, for each cloud; an array. Of very many points every n-th is shown. */
+        /** \brief Points of nearly equal radii, with the largest of these, for each cloud; an array. Of very many
+            points every n-th is shown. */
         nlohmann::json clouds() const;
 
         /** \brief A robot: its bodies, where they are over time, and where at its goal

@@ -3,6 +3,7 @@
 #include "PackedArray.h"
 #include "QuantizedMesh.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace ompl_certificates
@@ -73,22 +74,44 @@ namespace ompl_certificates
             }
             return hullJson(*shape.getHull(), shape.getDimension());
         }
+    }
 
-        bool areEqual(const ZInterval &a, const ZInterval &b)
+    ViewerShapes::Key ViewerShapes::keyOf(const Shape &shape, const ZInterval &zInterval)
+    {
+        const Eigen::Vector3d &size = shape.getSize();
+        Key key{static_cast<double>(shape.getKind()),
+                static_cast<double>(shape.getDimension()),
+                shape.getRadius(),
+                size.x(),
+                size.y(),
+                size.z(),
+                zInterval.low,
+                zInterval.high};
+        const auto append = [&key](const std::vector<Eigen::Vector3d> &corners, std::size_t most)
         {
-            return a.low == b.low && a.high == b.high;
-        }
+            key.push_back(static_cast<double>(corners.size()));
+            for (std::size_t i = 0; i < std::min(corners.size(), most); ++i)
+                key.insert(key.end(), corners[i].data(), corners[i].data() + 3);
+        };
+        if (shape.getKind() == Shape::Kind::POLYTOPE)
+            append(shape.getHull()->vertices, shape.getHull()->vertices.size());
+        // A mesh may have millions.
+        if (shape.getKind() == Shape::Kind::MESH)
+            append(shape.getMesh()->getVertices(), 8);
+        return key;
     }
 
     std::size_t ViewerShapes::add(const Shape &shape, const ZInterval &zInterval)
     {
         const ZInterval interval =
             shape.getKind() == Shape::Kind::MESH && shape.getDimension() == 2 ? zInterval : ZInterval();
-        for (std::size_t i = 0; i < entries_.size(); ++i)
-            if (areEqual(entries_[i].zInterval, interval) && entries_[i].shape == shape)
-                return i;
+        std::vector<std::size_t> &indices = indices_[keyOf(shape, interval)];
+        for (const std::size_t index : indices)
+            if (entries_[index].shape == shape)
+                return index;
+        indices.push_back(entries_.size());
         entries_.push_back({shape, interval});
-        return entries_.size() - 1;
+        return indices.back();
     }
 
     json ViewerShapes::toJson() const

@@ -4,6 +4,7 @@
 #include "ompl_certificates/geometry/Body.h"
 
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace ompl_certificates
     public:
         /** \brief The index of a shape, which is added if it is new
             \param zInterval of planar meshes only the triangles that overlap it are shown
-            Cost: linear in the number of different shapes. */
+            Cost: logarithmic in the number of different shapes, and linear in the corners of a polytope or of another
+            equal mesh */
         std::size_t add(const Shape &shape, const ZInterval &zInterval = ZInterval());
 
         /** \brief The shapes as a JSON array, by index */
@@ -28,7 +30,14 @@ namespace ompl_certificates
             ZInterval zInterval;
         };
 
+        /** \brief Numbers that equal shapes have in common. Nearly all others have different ones. */
+        using Key = std::vector<double>;
+
+        static Key keyOf(const Shape &shape, const ZInterval &zInterval);
+
         std::vector<Entry> entries_;
+        /** \brief The indices of the shapes of each key */
+        std::map<Key, std::vector<std::size_t>> indices_;
     };
 
     /** \brief A number with the digits of a float */

@@ -15,6 +15,7 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
@@ -281,9 +282,10 @@ namespace ompl_certificates
                                                                       {{-1, -1, 4}, {1, 1, 9}},
                                                                       {{-9, -9, -9}, {-4, -4, -4}}}),
             "cells");
-        const std::vector<Eigen::Vector3d> points{{-1.0, 2.0, 1.0}, {0.0, 0.0, 2.1}, {0.0, -1.2, 0.0}};
-        scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, std::vector<double>{0.1, 0.1, 0.1}),
-                                 "points");
+        // The first point is in, and the next two reach in. That at the corner does not.
+        const std::vector<Eigen::Vector3d> points{
+            {-1.0, 2.0, 1.0}, {0.0, 0.0, 2.09}, {0.0, -1.19, 0.0}, {0.0, 0.0, 2.11}, {-1.19, -1.19, 0.0}};
+        scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, std::vector<double>{0.1}), "points");
         const json page = json::parse(PlanViewer(scene).toJson());
         const auto low = unpacked<std::int16_t>(page["cells"][0]["low"]);
         const auto size = unpacked<std::uint16_t>(page["cells"][0]["size"]);
@@ -292,7 +294,36 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < low.size(); i += 3)
             boxes.insert({low[i], low[i + 1], low[i + 2], size[i], size[i + 1], size[i + 2]});
         EXPECT_EQ(boxes, (std::set<std::array<int, 6>>{{-3, -1, -1, 7, 2, 2}, {3, 3, 3, 1, 1, 1}}));
-        EXPECT_EQ(unpacked<float>(page["clouds"][0]["points"]).size(), 3U);
+        EXPECT_EQ(page["clouds"].size(), 1U);
+        EXPECT_EQ(unpacked<float>(page["clouds"][0]["points"]).size(), 9U);
+    }
+
+    TEST(PlanViewerTest, PointsHaveTheirOwnRadii)
+    {
+        ob::RealVectorBounds bounds(3);
+        bounds.setLow(-1.0);
+        bounds.setHigh(1.0);
+        Scene scene("sensed", "sensed", bounds);
+        std::vector<Eigen::Vector3d> points;
+        std::vector<double> radii;
+        test::Random random(1);
+        for (int i = 0; i < 300; ++i)
+        {
+            points.push_back(random.point(3, 0.9));
+            radii.push_back(i % 3 == 0 ? 0.0 : i % 3 == 1 ? 0.125 : 0.5);
+        }
+        scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, radii), "points");
+        std::map<double, std::size_t> counts;
+        const json page = json::parse(PlanViewer(scene).toJson());
+        for (const json &cloud : page["clouds"])
+            counts[cloud["radius"].get<double>()] += unpacked<float>(cloud["points"]).size() / 3;
+        EXPECT_EQ(counts, (std::map<double, std::size_t>{{0.0, 100}, {0.125, 100}, {0.5, 100}}));
+        // However many radii there are, there are few parts.
+        for (double &radius : radii)
+            radius = random.uniform(0.1, 0.2);
+        Scene other("sensed", "sensed", bounds);
+        other.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, radii), "points");
+        EXPECT_LE(json::parse(PlanViewer(other).toJson())["clouds"].size(), 18U);
     }
 
     TEST(PlanViewerTest, TreesHaveEachEdgeOnceWhereItsStatesAre)

@@ -1,4 +1,5 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "pictures/SceneDrawing.h"
 #include "support/Svg.h"
@@ -220,6 +221,26 @@ namespace ompl_certificates
             EXPECT_NE(svg.find("<clipPath id='frame0'><polygon points='44.00,"), std::string::npos);
             EXPECT_NE(svg.find("514.00,"), std::string::npos);
             EXPECT_TRUE(test::isWellFormed(svg));
+        }
+
+        TEST(ScenePicture, PointsOfACloudReachIntoThePictureAndTheLargestAreSeen)
+        {
+            ob::RealVectorBounds bounds(2);
+            bounds.setLow(0.0);
+            bounds.setHigh(10.0);
+            Scene scene("cloud", "cloud", bounds);
+            // Two beyond the bounds, of which one reaches in; then a small one in the same place as a larger one
+            const std::vector<Eigen::Vector3d> points{{-0.5, 5, 0}, {-0.5, 2, 0}, {5, 5, 0}, {5.001, 5, 0}, {5, 5, 0}};
+            scene.addSensedObstacles(
+                std::make_shared<PointCloudObstacles>(points, std::vector<double>{0.625, 0.375, 0.125, 1.5, 0.25}, 2),
+                "cloud");
+            const std::string svg = ScenePicture(scene).toSvg();
+            // 72 pixels are a unit.
+            const auto circles = [&](const std::string &radius) { return countOf(svg, "r='" + radius + "'"); };
+            EXPECT_EQ(circles("45.00"), 1u);
+            EXPECT_EQ(circles("27.00"), 0u);
+            EXPECT_EQ(circles("108.00"), 1u);
+            EXPECT_EQ(circles("9.00") + circles("18.00"), 0u);
         }
 
         TEST(ScenePicture, CertificatesInThePlaneAreAllDrawnUnlessThereAreVeryMany)
