@@ -77,10 +77,8 @@ __all__ = [
 Parameter = Union[str, int, float, bool, "np.integer[Any]", "np.floating[Any]", np.bool_]
 
 
-def _require_range(name: str, number: Optional[int], most: int) -> None:
-    """Raise an Error that names an argument which is no whole number from 1 to most; None is fine."""
-    if number is None:
-        return
+def _require_range(name: str, number: object, most: int) -> None:
+    """Raise an Error that names an argument which is no whole number from 1 to most."""
     if not isinstance(number, (int, np.integer)):
         raise Error(f"{name}: must be a whole number, not {number!r}")
     if not 1 <= number <= most:
@@ -96,7 +94,8 @@ def _require_kind(name: str, value: object, kind: Union[type, tuple[type, ...]],
 def _require_options(time: object, iterations: Optional[int], seed: int, parameters: object) -> None:
     """Raise an Error for what no plan can be made of."""
     _require_kind("time", time, (int, float, np.integer, np.floating), "a number")
-    _require_range("iterations", iterations, 2**64 - 1)
+    if iterations is not None:
+        _require_range("iterations", iterations, 2**64 - 1)
     _require_kind("seed", seed, (int, np.integer), "a whole number")
     _require_range("seed", seed, 2**32 - 1)
     if parameters is not None:

@@ -1,6 +1,7 @@
 #include "Arms.h"
 
 #include "Arrays.h"
+#include "Mappings.h"
 
 #include <ompl_certificates/robots/Arm.h>
 #include <ompl_certificates/scene/ArmFile.h>
@@ -25,11 +26,11 @@ namespace ompl_certificates_python
     {
         using RobotHolder = std::shared_ptr<Robot>;
 
-        using Packages = std::map<std::string, std::filesystem::path>;
-        using JointValues = std::map<std::string, double>;
+        using Packages = Mapping<std::string, std::filesystem::path>;
+        using JointValues = Mapping<std::string, double>;
 
         /** That of all links, or of some by their names */
-        using Padding = std::variant<double, std::map<std::string, double>>;
+        using Padding = std::variant<double, Mapping<std::string, double>>;
 
         using Bounds = std::optional<std::pair<std::vector<double>, std::vector<double>>>;
 
@@ -119,13 +120,16 @@ namespace ompl_certificates_python
             return robots;
         }
 
-        std::vector<ArmFile::Part> toParts(const py::dict &groups)
+        std::vector<ArmFile::Part> toParts(const py::object &groups)
         {
+            constexpr const char *complaint = "groups: must be a dict from names of robots to names of groups";
+            if (!isMapping(groups))
+                throw py::type_error(complaint);
             std::vector<ArmFile::Part> parts;
-            for (const auto &[name, group] : groups)
+            for (const auto &[name, group] : dictOf(groups))
             {
                 if (!py::isinstance<py::str>(name) || !py::isinstance<py::str>(group))
-                    throw py::type_error("groups: must be a dict from names of robots to names of groups");
+                    throw py::type_error(complaint);
                 parts.push_back({name.cast<std::string>(), group.cast<std::string>()});
             }
             return parts;
@@ -142,7 +146,7 @@ namespace ompl_certificates_python
                 .front();
         }
 
-        std::vector<RobotHolder> armsOfFile(const ArmFile &file, const py::dict &groups, const py::object &base,
+        std::vector<RobotHolder> armsOfFile(const ArmFile &file, const py::object &groups, const py::object &base,
                                             const JointValues &jointValues, const Bounds &bounds,
                                             const std::vector<AttachedBody> &attached,
                                             const std::vector<TouchableObstacle> &touchable,
@@ -164,7 +168,7 @@ namespace ompl_certificates_python
         }
 
         std::vector<RobotHolder> makeArms(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                                          const py::dict &groups, const py::object &base,
+                                          const py::object &groups, const py::object &base,
                                           const JointValues &jointValues, const Bounds &bounds,
                                           const std::vector<AttachedBody> &attached, const Packages &packages,
                                           bool visuals, const std::vector<std::string> &mayTouchObstacles,

@@ -52,6 +52,7 @@ namespace ompl_certificates_python
         /** Indices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
         Indices toIndices(const py::object &object, const std::string &what)
         {
+            requireUnmasked(object, what);
             const auto array = py::array::ensure(object);
             const char kind = array ? array.dtype().kind() : 'O';
             if (kind == 'f')

@@ -66,7 +66,11 @@ namespace ompl_certificates_python
 
         Doubles signedDistances(const Body &body, const py::object &object)
         {
-            const auto points = toPoints3(toDoubles(object, "points"), "points", body.getDimension() == 2);
+            const bool planar = body.getDimension() == 2;
+            const Doubles array = toDoubles(object, "points");
+            if (planar && haveHeights(array))
+                throw ompl::Exception("points", "must be an array of shape (n, 2), not " + shapeOf(array));
+            const auto points = toPoints3(array, "points", planar);
             if (std::any_of(points.begin(), points.end(), [](const Eigen::Vector3d &point) { return point.hasNaN(); }))
                 throw ompl::Exception("points", "must be numbers, not nan");
             Doubles distances(static_cast<py::ssize_t>(points.size()));

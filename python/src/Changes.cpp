@@ -1,5 +1,7 @@
 #include "Changes.h"
 
+#include "Mappings.h"
+
 #include <ompl_certificates/team/RobotFilter.h>
 
 #include <algorithm>
@@ -84,7 +86,8 @@ namespace ompl_certificates_python
         {
             const Doubles points = toDoubles(array, "points");
             const unsigned int dimension = checker.getDimension();
-            if (points.ndim() != 2 || points.shape(1) != static_cast<py::ssize_t>(dimension))
+            const bool isEmptyList = points.ndim() == 1 && points.size() == 0;
+            if (!isEmptyList && (points.ndim() != 2 || points.shape(1) != static_cast<py::ssize_t>(dimension)))
                 throw ompl::Exception("points", "must have the shape (n, " + std::to_string(dimension) + "), not " +
                                                     shapeOf(points));
             PointCloud cloud;
@@ -143,7 +146,7 @@ namespace ompl_certificates_python
         }
 
         std::vector<ObstacleSet::Id> changeObstacles(Checker &checker, const std::vector<Placed> &added,
-                                                     const std::map<ObstacleSet::Id, py::object> &moved,
+                                                     const Mapping<ObstacleSet::Id, py::object> &moved,
                                                      const std::vector<ObstacleSet::Id> &removed)
         {
             BodyChange change;
@@ -179,7 +182,7 @@ namespace ompl_certificates_python
                     [](Checker &self, ObstacleSet::Id obstacle) { changeObstacles(self, {}, {}, {obstacle}); },
                     py::arg("obstacle"), "Remove an obstacle.")
                 .def("change_obstacles", &changeObstacles, py::kw_only(), py::arg("add") = std::vector<Placed>(),
-                     py::arg("move") = std::map<ObstacleSet::Id, py::object>(),
+                     py::arg("move") = Mapping<ObstacleSet::Id, py::object>(),
                      py::arg("remove") = std::vector<ObstacleSet::Id>(),
                      "Change many obstacles, all at once: remove those of some numbers, move others to the poses of a "
                      "dict from numbers to poses, and add pairs of a body and its pose. Returns the numbers of those "

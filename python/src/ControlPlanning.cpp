@@ -2,6 +2,7 @@
 #include "Checker.h"
 #include "ControlPlan.h"
 #include "Goals.h"
+#include "Mappings.h"
 #include "PlanOptions.h"
 #include "Progress.h"
 #include "Quiet.h"
@@ -70,7 +71,7 @@ namespace ompl_certificates_python
                 if (isGoal(object))
                     throw ompl::Exception(
                         what, "must be one state: plans by controls take no Zone, no LinkPose and no AnyOf");
-                if (py::isinstance<py::dict>(object))
+                if (isMapping(object))
                     throw ompl::Exception(what, "must be one state of the team: plans by controls take no dict");
                 const Doubles values = toDoubles(object, what);
                 requireOneState(values, rotations.count, what);

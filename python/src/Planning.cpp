@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Checker.h"
 #include "Goals.h"
+#include "Mappings.h"
 #include "Plan.h"
 #include "PlanOptions.h"
 #include "Progress.h"
@@ -62,17 +63,20 @@ namespace ompl_certificates_python
                     throw ompl::Exception("goal", "of several robots must be a dict from their names to their goals");
                 parts.front() = goal;
             }
-            if (!py::isinstance<py::dict>(goal))
+            if (!isMapping(goal))
                 return parts;
             std::vector<std::string> names;
             for (unsigned int robot = 0; robot < parts.size(); ++robot)
                 names.push_back(setup.getTeam().getRobot(robot).getName());
-            for (const auto &[key, value] : goal.cast<py::dict>())
+            for (const auto &[key, value] : dictOf(goal))
             {
                 const std::string name = py::str(key);
                 const auto robot = std::find(names.begin(), names.end(), name);
                 if (robot == names.end())
                     throw ompl::Exception("goal", "there is no robot '" + name + "'" + didYouMean(name, names));
+                if (value.is_none())
+                    throw ompl::Exception("goal of robot '" + name + "'",
+                                          "must not be None: leave out robots that keep their goals");
                 parts[static_cast<std::size_t>(robot - names.begin())] = py::reinterpret_borrow<py::object>(value);
             }
             return parts;
@@ -104,7 +108,7 @@ namespace ompl_certificates_python
         Scene problemOf(const TeamSetup &setup, const Checker &checker, const ob::State *start, const py::object &goal)
         {
             const std::vector<py::object> parts = partsOf(setup, goal);
-            const bool isState = !goal.is_none() && !isGoal(goal) && !py::isinstance<py::dict>(goal);
+            const bool isState = !goal.is_none() && !isGoal(goal) && !isMapping(goal);
             const ob::ScopedState<> end =
                 isState ? checker.toState(toDoubles(goal, "goal"), "goal") : withParts(checker, goalOf(setup), parts);
             const auto *region = dynamic_cast<const TeamGoalRegion *>(setup.getGoal().get());

@@ -1,6 +1,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Goals.h"
+#include "Mappings.h"
 #include "Outcome.h"
 #include "SensedObstacles.h"
 
@@ -234,14 +235,14 @@ namespace ompl_certificates_python
             "load_moveit",
             [](const std::filesystem::path &file, const std::filesystem::path &request,
                const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-               const std::map<std::string, std::filesystem::path> &packages)
+               const Mapping<std::string, std::filesystem::path> &packages)
             {
                 ArmFile::Options options;
                 options.packages.insert(packages.begin(), packages.end());
                 return readMoveItFiles(file, request, ArmFile(urdf, srdf, options)).scene;
             },
             py::call_guard<py::gil_scoped_release>(), py::arg("scene"), py::arg("request"), py::arg("urdf"),
-            py::arg("srdf"), py::arg("packages") = std::map<std::string, std::filesystem::path>(),
+            py::arg("srdf"), py::arg("packages") = Mapping<std::string, std::filesystem::path>(),
             "The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm().");
     }
 }

@@ -159,7 +159,11 @@ namespace ompl_certificates_python
                 "add_cloud_file",
                 [](Scene &self, const std::filesystem::path &file, double radius, double cell)
                 {
-                    PointCloud cloud = loadCloud(file);
+                    PointCloud cloud = [&file]
+                    {
+                        const py::gil_scoped_release release;
+                        return loadCloud(file);
+                    }();
                     cloud.radius = radius;
                     return addCloud(self, std::move(cloud), cell);
                 },

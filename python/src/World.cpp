@@ -3,7 +3,6 @@
 #include <ompl_certificates/geometry/PointCloud.h>
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/MixedObstacles.h>
-#include <ompl_certificates/obstacles/PointCloudObstacles.h>
 
 #include <ompl/util/Exception.h>
 #include <utility>
@@ -137,19 +136,19 @@ namespace ompl_certificates_python
     std::vector<Eigen::Vector3d> World::getPoints(std::size_t cloud) const
     {
         std::vector<Eigen::Vector3d> points;
-        for (const Ball &ball : getBalls(cloud))
+        for (const Ball &ball : getCloud(cloud).getBalls())
             points.push_back(ball.center);
         return points;
     }
 
-    std::vector<Ball> World::getBalls(std::size_t cloud) const
+    const PointCloudObstacles &World::getCloud(std::size_t cloud) const
     {
         if (cloud >= sensed_.size())
             throw ompl::Exception("cloud", "there is none of number " + std::to_string(cloud));
         const auto *points = dynamic_cast<const PointCloudObstacles *>(sensed_[cloud].obstacles.get());
         if (!points)
             throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " is a map of cells, not of points");
-        return points->getBalls();
+        return *points;
     }
 
     CellSet World::takeCells(std::size_t grid)
@@ -186,15 +185,14 @@ namespace ompl_certificates_python
             sensed_[cloud].set.reset();
             return set;
         }
-        const std::vector<Ball> balls = getBalls(cloud);
+        const PointCloudObstacles &now = getCloud(cloud);
         std::optional<double> &radius = sensed_[cloud].radius;
-        if (!radius && balls.empty())
-            throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " has no points, and so no radius");
+        // A cloud that has seen nothing yet has a radius all the same.
+        if (!radius)
+            radius = now.getLargestRadius();
         std::vector<Eigen::Vector3d> points;
-        for (const Ball &ball : balls)
+        for (const Ball &ball : now.getBalls())
         {
-            if (!radius)
-                radius = ball.radius;
             if (ball.radius != *radius)
                 throw ompl::Exception("cloud", "the points of number " + std::to_string(cloud) + " differ in radius");
             points.push_back(ball.center);

@@ -3,6 +3,7 @@
 
 #include <ompl_certificates/obstacles/CellSet.h>
 #include <ompl_certificates/obstacles/ObstacleSet.h>
+#include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudSet.h>
 #include <ompl_certificates/scene/Scene.h>
 
@@ -117,8 +118,8 @@ namespace ompl_certificates_python
             std::optional<ompl_certificates::CellSet> cells{};
         };
 
-        /** \brief The points of a cloud, with their radii */
-        std::vector<ompl_certificates::Ball> getBalls(std::size_t cloud) const;
+        /** \brief The obstacles that are the points of a cloud now */
+        const ompl_certificates::PointCloudObstacles &getCloud(std::size_t cloud) const;
 
         /** \brief The set of a cloud, which is made for its first change */
         ompl_certificates::PointCloudSet takeSet(std::size_t cloud);

@@ -64,15 +64,16 @@ namespace ompl_certificates
     PointCloudObstacles::PointCloudObstacles(std::vector<Eigen::Vector3d> points, std::vector<double> radii,
                                              unsigned int dimension)
       : dimension_(dimension)
+      , largestRadius_(largestOf(radii))
+      , forest_(plant(std::move(points), std::move(radii), dimension))
+      , tolerance_(DISTANCE_ROUNDING * (forest_->getExtent() + largestRadius_))
     {
-        const double largest = largestOf(radii);
-        forest_ = plant(std::move(points), std::move(radii), dimension);
-        tolerance_ = DISTANCE_ROUNDING * (forest_->getExtent() + largest);
     }
 
     PointCloudObstacles::PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius,
                                              unsigned int dimension)
       : dimension_(dimension)
+      , largestRadius_(largestRadius)
       , forest_(std::move(forest))
       , tolerance_(DISTANCE_ROUNDING * (forest_->getExtent() + largestRadius))
     {

@@ -80,6 +80,12 @@ namespace ompl_certificates
         /** \brief The number of points */
         std::size_t size() const;
 
+        /** \brief The largest radius that was given, also if there are no points */
+        double getLargestRadius() const
+        {
+            return largestRadius_;
+        }
+
         /** \brief All points with their radii, in another order than they were given. Cost: linear in their number. */
         std::vector<Ball> getBalls() const;
 
@@ -95,6 +101,7 @@ namespace ompl_certificates
         ObstaclePart findHit(const Shape &shape, const Pose &pose, double within) const;
 
         unsigned int dimension_;
+        double largestRadius_;
         std::unique_ptr<const PointForest> forest_;
         double tolerance_;
     };

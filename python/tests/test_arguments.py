@@ -1,0 +1,94 @@
+"""What arguments may be, and which are refused"""
+
+from __future__ import annotations
+
+import types
+from pathlib import Path
+from typing import Any, Callable, List, Tuple
+
+import numpy as np
+import pytest
+from conftest import TurnsDuring
+
+import ompl_certificates as oc
+
+ARMS = Path(__file__).parents[2] / "demos" / "scenes" / "arms"
+URDF, SRDF = ARMS / "arm6.urdf", ARMS / "arm6.srdf"
+of = types.MappingProxyType
+
+
+def test_mappings_need_not_be_dicts(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    goal = [9, 1, 1, 1]
+    plan = oc.plan(checker, "RRTConnect", time=20, first=True, goal=of({"left": goal[:2], "right": goal[2:]}))
+    assert plan.solved and np.allclose(plan.path[-1], goal)
+    with pytest.raises(oc.Error, match="^goal: there is no robot 'lift'; did you mean left"):
+        oc.plan(checker, goal=of({"lift": [1, 1]}))
+    checker.change_obstacles(move=of({0: (5, 8)}))
+    assert checker.is_valid([5, 5, 1, 1]) and not checker.is_valid([5, 8, 1, 1])
+    finger = of({"finger": 0.03})
+    arm = oc.Robot.arm(URDF, SRDF, "arm", joint_values=finger, packages=of({}), padding=of({"palm": 0.05}))
+    assert [body.padding for body in arm.bodies].count(0.05) == 1
+    assert [robot.name for robot in oc.Robot.arms(URDF, SRDF, of({"only": "arm"}))] == ["only"]
+    wrong: Any = ["only"]
+    with pytest.raises(TypeError, match="groups: must be a dict"):
+        oc.Robot.arms(URDF, SRDF, wrong)
+
+
+def test_goals_are_not_none(room: oc.Scene) -> None:
+    goal: Any = {"left": None}
+    with pytest.raises(oc.Error, match="^goal of robot 'left': must not be None: leave out robots that keep"):
+        oc.plan(room, goal=goal)
+
+
+def test_a_cloud_that_has_seen_nothing_has_a_radius() -> None:
+    scene = oc.Scene([0, 0, 0], [10, 10, 10])
+    cloud = scene.add_cloud(np.empty((0, 3)), radius=0.5)
+    scene.add_robot(oc.Robot.rigid("ball", oc.Body.sphere(1), [0] * 3, [10] * 3, turns=False), [1, 1, 1], [9, 1, 1])
+    checker = oc.Checker(scene)
+    checker.change_cloud(cloud, insert=[[5, 5, 5]])
+    assert checker.is_valid([[5, 5, 6.49], [5, 5, 6.51]]).tolist() == [False, True]
+
+
+def test_points_are_of_the_workspace_of_a_body() -> None:
+    box, mesh = oc.Body.box(2, 2), oc.Body.mesh([[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]], dimension=2)
+    assert box.signed_distance([[0, 0], [3, 0]]).tolist() == [-1, 2]
+    for body in (box, mesh):
+        with pytest.raises(oc.Error, match=r"^points: must be an array of shape \(n, 2\), not \(1, 3\)$"):
+            body.signed_distance([[0, 0, 5]])
+
+
+def test_empty_lists_of_points_have_no_robots(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    assert checker.without_robots([], room.start).shape == (0, 2)
+    assert checker.find_robots([], room.start).shape == (0,)
+    assert checker.find_robots(np.zeros((0, 2)), room.start).shape == (0,)
+    with pytest.raises(oc.Error, match=r"^points: must have the shape \(n, 2\), not \(2,\)$"):
+        checker.find_robots([1, 2], room.start)
+
+
+def test_masked_faces_and_missing_counts_are_refused() -> None:
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces: Any = np.ma.array([[0, 1, 2], [0, 1, 3]], mask=[[0, 0, 0], [1, 1, 1]])  # type: ignore[no-untyped-call]
+    pushed = oc.Scene([0, 0], [10, 4], "pushed")
+    puck = oc.Robot.integrator("puck", oc.Body.disc(0.3), [0, 0], [10, 4], velocity=1.0)
+    pushed.add_robot(puck, [1, 2], [9, 2])
+    none: Any = None
+    cases: List[Tuple[Callable[[], object], str]] = [
+        (lambda: oc.Body.mesh(vertices, faces), "^faces: must not be a masked array"),
+        (lambda: oc.plan_controls(pushed, max_steps=none), "^max_steps: must be a whole number, not None$"),
+        (lambda: oc.plan_controls(pushed, min_steps=none), "^min_steps: must be a whole number, not None$"),
+    ]
+    for call, message in cases:
+        with pytest.raises(oc.Error, match=message):
+            call()
+
+
+def test_python_runs_while_a_cloud_is_read(tmp_path: Path, turns_during: TurnsDuring) -> None:
+    file = tmp_path / "cloud.xyz"
+    np.savetxt(file, np.random.default_rng(1).uniform(0, 10, (150000, 3)), fmt="%.9f")
+    scene = oc.Scene([0] * 3, [10] * 3)
+    # Beside the file, the cloud is made: that never kept Python from running.
+    assert turns_during(lambda: scene.add_cloud_file(file, 0.01, cell=9.0)) > 0.5 * turns_during(
+        lambda: oc.load_cloud(file)
+    )
