@@ -61,6 +61,12 @@ class Body:
     def signed_distance(self, points: ArrayLike) -> NDArray[np.float64]:
         """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
         (n,)"""
+    def padded(self, padding: float) -> Body:
+        """The same shapes with a padding: a body that keeps this distance from obstacles, exactly, with round corners.
+        Two robots keep the sum of their paddings. It takes the place of a padding that the body has; 0 for none."""
+    @property
+    def padding(self) -> float:
+        """The distance that the body keeps from obstacles"""
 
 class Zone:
     """A box that a rigid robot or a car with a trailer shall get into: a goal of all states with its position there,
@@ -152,6 +158,7 @@ class ArmFile:
         attached: Sequence[AttachedBody] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
         may_touch_obstacles: Sequence[str] = ...,
+        padding: Union[float, Mapping[str, float]] = 0.0,
     ) -> Robot:
         """An arm. The arguments are those of Robot.arm."""
     def arms(
@@ -163,6 +170,7 @@ class ArmFile:
         attached: Sequence[AttachedBody] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
         may_touch_obstacles: Sequence[str] = ...,
+        padding: Union[float, Mapping[str, float]] = 0.0,
     ) -> List[Robot]:
         """The arms of one mechanism. The arguments are those of Robot.arms."""
 
@@ -259,6 +267,7 @@ class Robot:
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
+        padding: Union[float, Mapping[str, float]] = 0.0,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
@@ -267,8 +276,9 @@ class Robot:
         URDF file; visuals takes visual geometry in place of that for collisions. may_touch_obstacles are links, and
         attached bodies, that are not checked against obstacles, such as the foot of a robot that is bolted to a table;
         touchable are obstacles that some of them may touch. A state has the values of the group's joints, in radians or
-        meters. For several arms of the same files take an ArmFile. What was ignored in the files is told by
-        warnings."""
+        meters. padding is the distance that all links and attached bodies keep from obstacles, or a dict of those that
+        keep one, by their names; see Body.padded. The arm's links are checked against each other without. For several
+        arms of the same files take an ArmFile. What was ignored in the files is told by warnings."""
     @staticmethod
     def arms(
         urdf: Path,
@@ -282,6 +292,7 @@ class Robot:
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
+        padding: Union[float, Mapping[str, float]] = 0.0,
     ) -> List[Robot]:
         """The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of joints
         that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link belongs to the robot
