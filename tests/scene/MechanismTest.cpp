@@ -104,6 +104,17 @@ namespace ompl_certificates
         EXPECT_TRUE(right.mayCollide(2, left, 3));
     }
 
+    /** Programs write -0 as often as 0. */
+    TEST(Mechanism, MayStandAtMinusZero)
+    {
+        std::ifstream file(ARMS + "twin_team.yaml");
+        std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+        const std::string right = "group: right\n";
+        text.insert(text.find(right) + right.size(),
+                    "    base: {position: [-0.0, 0, 0], quaternion: [0, 0, -0.0, 1]}\n");
+        EXPECT_NO_THROW(sceneFromYaml(text, ARMS + "twin_team.yaml").validate());
+    }
+
     TEST(Mechanism, PartsAreFreeWhereTheWholeIs)
     {
         const Twins twins;
