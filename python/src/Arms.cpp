@@ -294,7 +294,8 @@ namespace ompl_certificates_python
                 "obstacles that some of them may touch. A state has the values of the group's joints, in radians "
                 "or meters. padding is the distance that all links and attached bodies keep from obstacles, or a dict "
                 "of those that keep one, by their names; see Body.padded. The arm's links are checked against each "
-                "other without. For several arms of the same files take an ArmFile. What was ignored in the files is told by warnings.")
+                "other without. For several arms of the same files take an ArmFile. What was ignored in the files is "
+                "told by warnings.")
             .def_static(
                 "arms", &makeArms, py::arg("urdf"), py::arg("srdf"), py::arg("groups"), py::arg("base") = py::none(),
                 py::arg("joint_values") = JointValues(), py::arg("bounds") = py::none(),

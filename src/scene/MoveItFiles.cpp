@@ -5,7 +5,6 @@
 #include "MoveItPlanes.h"
 #include "MoveItRobotState.h"
 #include "MoveItWorld.h"
-#include "YamlShapes.h"
 #include "YamlText.h"
 #include "files/WholeFile.h"
 
@@ -103,29 +102,6 @@ namespace ompl_certificates
                 return false;
             const bool isDifference = root.has("is_diff") && root.at("is_diff").boolean();
             return !isDifference || !moveItItems(root.at("allowed_collision_matrix"), "entry_names").empty();
-        }
-
-        void refuseScale(const YamlNode &root)
-        {
-            for (const YamlNode &item : moveItItems(root, "link_scale"))
-            {
-                item.allow({"link_name", "scale"});
-                if (item.at("scale").number() != 1.0)
-                    item.at("scale").fail("is not supported but as 1");
-            }
-        }
-
-        std::map<std::string, double> readLinkPadding(const YamlNode &root, const KinematicTree &tree)
-        {
-            std::map<std::string, double> paddings;
-            for (const YamlNode &item : moveItItems(root, "link_padding"))
-            {
-                item.allow({"link_name", "padding"});
-                const YamlNode link = item.at("link_name");
-                link.orFail([&] { return tree.getLinkIndex(link.text()); });
-                paddings[link.text()] = readDistance(item.at("padding"));
-            }
-            return paddings;
         }
 
         std::optional<ob::RealVectorBounds> readWorkspace(const YamlNode &request)
@@ -263,7 +239,6 @@ namespace ompl_certificates
                         "max_acceleration_scaling_factor", "cartesian_speed_end_effector_link",
                         "cartesian_speed_limited_link", "max_cartesian_speed"});
             refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
-            refuseScale(root);
         }
 
         ArmFile::ArmSettings settingsOf(const YamlNode &wish, const MoveItRobotState &state)
@@ -340,7 +315,7 @@ namespace ompl_certificates
             const std::string group = groupNode.text();
             ArmFile::ArmSettings settings = settingsOf(wish, state);
             setOtherJoints(robot.getTree(), settings);
-            settings.linkPadding = readLinkPadding(root, robot.getTree());
+            settings.linkPadding = readMoveItPadding(root, robot.getTree());
             std::optional<MoveItMatrix> matrix;
             if (hasMatrix(root))
             {

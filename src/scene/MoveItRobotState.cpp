@@ -2,6 +2,7 @@
 
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
+#include "YamlShapes.h"
 
 #include <cmath>
 #include <set>
@@ -134,5 +135,24 @@ namespace ompl_certificates
         for (const YamlNode &item : moveItItems(node, "attached_collision_objects"))
             state.attached.push_back(readAttached(item, tree, folder, state.notes));
         return state;
+    }
+
+    std::map<std::string, double> readMoveItPadding(const YamlNode &root, const KinematicTree &tree)
+    {
+        for (const YamlNode &item : moveItItems(root, "link_scale"))
+        {
+            item.allow({"link_name", "scale"});
+            if (item.at("scale").number() != 1.0)
+                item.at("scale").fail("is not supported but as 1");
+        }
+        std::map<std::string, double> paddings;
+        for (const YamlNode &item : moveItItems(root, "link_padding"))
+        {
+            item.allow({"link_name", "padding"});
+            const YamlNode link = item.at("link_name");
+            link.orFail([&] { return tree.getLinkIndex(link.text()); });
+            paddings[link.text()] = readDistance(item.at("padding"));
+        }
+        return paddings;
     }
 }

@@ -32,6 +32,9 @@ namespace ompl_certificates
 
     /** \brief A RobotState of \e robot; meshes of files are looked for in \e folder */
     MoveItRobotState readMoveItRobotState(const YamlNode &node, const ArmFile &robot, const std::string &folder);
+
+    /** \brief The distances that a planning scene has links keep, by their names. Links cannot be scaled. */
+    std::map<std::string, double> readMoveItPadding(const YamlNode &root, const KinematicTree &tree);
 }
 
 #endif

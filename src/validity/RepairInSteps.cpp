@@ -17,8 +17,8 @@ namespace ompl_certificates
                    std::any_of(change.members.begin(), change.members.end(), replacesItself);
         }
 
-        /** Whether no obstacle is left of those before. To ask about all certificates anew costs more than to make those
-            that are needed: with 3000 new points in each frame a hundred times more. */
+        /** Whether no obstacle is left of those before. To ask about all certificates anew costs more than to make
+            those that are needed: with 3000 new points in each frame a hundred times more. */
         bool replacesAll(const ObstacleChange &change)
         {
             return change.removed && change.removed == change.before;

@@ -111,8 +111,8 @@ namespace ompl_certificates
             return team;
         }
 
-        /** \brief Robots that keep distances: a box of a mesh, a bar, an arm that may touch itself, and a sphere without
-            padding */
+        /** \brief Robots that keep distances: a box of a mesh, a bar, and an arm that may touch itself. A sphere keeps
+            none. */
         inline TeamStateSpacePtr paddedTeam(double unit = 1.0)
         {
             const auto bounds = cubeBounds(3, HALF * unit);

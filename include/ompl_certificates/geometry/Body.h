@@ -132,8 +132,8 @@ namespace ompl_certificates
             return data_->getBalls().sphereTree;
         }
 
-        /** \brief A convex set around each of the shapes and its padding, in the body's frame. Made when first asked for: see
-            ConvexCover. */
+        /** \brief A convex set around each of the shapes and its padding, in the body's frame. Made when first asked
+            for: see ConvexCover. */
         const std::vector<ConvexCover> &getConvexCovers() const;
 
         /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
