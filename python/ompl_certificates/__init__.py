@@ -127,9 +127,9 @@ def plan(
     time: how long to plan at most, in seconds
     seed: of OMPL's random numbers, at least 1; the same seed grows the same tree, but for planners that go by the
         clock or use threads, such as PRM, PRMstar, CForest and pRRT. They are one for the whole process.
-    callback: called some 20 times in a second with the seconds so far and the best cost, which is infinite if
-        the planner does not tell it. The plan ends when it returns what Python takes for true; what it raises is
-        raised by plan(), with what was found by then as its attribute plan.
+    callback: called some 20 times in a second, also while the solution is simplified, with the seconds so far and the
+        best cost, which is infinite if the planner does not tell it. The plan ends when it returns what Python takes
+        for true; what it raises is raised by plan(), with what was found by then as its attribute plan.
     objective: length, sum, makespan or arrival
     iterations: end after that many evaluations of the termination condition, too; at least 1
     first: end with the first solution, also if the planner could lower its cost

@@ -1,6 +1,7 @@
 #include "Arms.h"
 
 #include "Arrays.h"
+#include "Gil.h"
 #include "Mappings.h"
 
 #include <ompl_certificates/robots/Arm.h>
@@ -37,7 +38,7 @@ namespace ompl_certificates_python
         ArmFile readArmFile(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
                             const Packages &packages, bool visuals)
         {
-            const py::gil_scoped_release release;
+            const GilRelease release;
             ArmFile::Options options;
             options.useVisuals = visuals;
             options.packages.insert(packages.begin(), packages.end());
@@ -109,7 +110,7 @@ namespace ompl_certificates_python
             const auto arms = [&]
             {
                 // Large meshes take time.
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 return file.makeArms(parts, settings, &notes);
             }();
             requireMovingBase(asked.bounds, arms);

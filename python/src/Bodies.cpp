@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "Gil.h"
 #include "Signals.h"
 
 #include <ompl_certificates/geometry/Body.h>
@@ -75,7 +76,7 @@ namespace ompl_certificates_python
                 throw ompl::Exception("points", "must be numbers, not nan");
             Doubles distances(static_cast<py::ssize_t>(points.size()));
             double *distance = distances.mutable_data();
-            const py::gil_scoped_release release;
+            const GilRelease release;
             Signals signals;
             for (const Eigen::Vector3d &point : points)
             {
@@ -116,8 +117,8 @@ namespace ompl_certificates_python
             .def_static("mesh", &makeMesh, py::arg("vertices"), py::arg("faces"), py::arg("dimension") = 3,
                         "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
                         "a planar scene: it keeps its z, and moves in x and y.")
-            .def_static("mesh_file", &readMesh, py::call_guard<py::gil_scoped_release>(), py::arg("file"),
-                        py::arg("dimension") = 3, py::arg("keep_axes") = false, py::arg("scale") = 1.0,
+            .def_static("mesh_file", &readMesh, py::call_guard<GilRelease>(), py::arg("file"), py::arg("dimension") = 3,
+                        py::arg("keep_axes") = false, py::arg("scale") = 1.0,
                         "The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in "
                         "OMPL.app, unless keep_axes is true, as in ROS. scale is 0.001 for a file in millimeters and a "
                         "scene in meters.")

@@ -1,5 +1,6 @@
 #include "Changes.h"
 
+#include "Gil.h"
 #include "Mappings.h"
 
 #include <ompl_certificates/team/RobotFilter.h>
@@ -48,7 +49,7 @@ namespace ompl_certificates_python
         std::size_t addCloud(Checker &checker, const py::object &array, double radius)
         {
             auto points = pointsOf(checker, array, "points");
-            const py::gil_scoped_release release;
+            const GilRelease release;
             return checker.addCloud(std::move(points), radius);
         }
 
@@ -59,7 +60,7 @@ namespace ompl_certificates_python
             { return object.is_none() ? CloudPoints() : pointsOf(checker, object, what); };
             CloudChange change{points(inserted, "insert"), points(removed, "remove"),
                                cleared ? boxOf(checker, *cleared) : Eigen::AlignedBox3d()};
-            const py::gil_scoped_release release;
+            const GilRelease release;
             checker.changeCloud(cloud, std::move(change));
         }
 
@@ -67,7 +68,7 @@ namespace ompl_certificates_python
         {
             const auto points = [&]
             {
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 return checker.getCloudPoints(cloud);
             }();
             return fromPoints(points, checker.getDimension());
@@ -78,7 +79,7 @@ namespace ompl_certificates_python
                                        double padding)
         {
             const auto state = checker.toState(toDoubles(values, "state"), "state");
-            const py::gil_scoped_release release;
+            const GilRelease release;
             return findRobots(cloud, Team(checker.getSetup().getStateSpace()), state.get(), padding);
         }
 
@@ -157,7 +158,7 @@ namespace ompl_certificates_python
             for (const ObstacleSet::Id number : removed)
                 if (moved.count(number) > 0)
                     throw ompl::Exception("remove", "obstacle " + std::to_string(number) + " is to be moved as well");
-            const py::gil_scoped_release release;
+            const GilRelease release;
             return checker.changeObstacles(change);
         }
 
@@ -195,7 +196,7 @@ namespace ompl_certificates_python
         {
             const auto cells = toCells(occupied, first, checker.getDimension());
             const Eigen::Vector3d corner = toOrigin(origin, checker.getDimension());
-            const py::gil_scoped_release release;
+            const GilRelease release;
             return checker.addGrid(cells, size, corner);
         }
 
@@ -204,7 +205,7 @@ namespace ompl_certificates_python
         {
             const auto cells = toCells(occupied, first, checker.getDimension());
             const auto others = toCells(occupied, first, checker.getDimension(), false);
-            const py::gil_scoped_release release;
+            const GilRelease release;
             checker.changeGrid(grid, cells, others);
         }
 

@@ -1,5 +1,6 @@
 #include "Checker.h"
 
+#include "Gil.h"
 #include "Signals.h"
 
 #include <ompl_certificates/team/Coordinates.h>
@@ -105,7 +106,7 @@ namespace ompl_certificates_python
         py::array_t<bool> result(static_cast<py::ssize_t>(rows));
         bool *valid = result.mutable_data();
         const double *values = states.data();
-        const py::gil_scoped_release release;
+        const GilRelease release;
         const TeamValidityChecker &checker = *setup_->getTeamChecker();
         Row row(*this);
         Signals signals;
@@ -123,7 +124,7 @@ namespace ompl_certificates_python
         py::array_t<double> result(static_cast<py::ssize_t>(rows));
         double *clearances = result.mutable_data();
         const double *values = states.data();
-        const py::gil_scoped_release release;
+        const GilRelease release;
         const TeamValidityChecker &checker = *setup_->getTeamChecker();
         Row row(*this);
         Signals signals;
@@ -144,7 +145,7 @@ namespace ompl_certificates_python
         py::array_t<bool> result(static_cast<py::ssize_t>(rows));
         bool *valid = result.mutable_data();
         const double *from = starts.data(), *to = ends.data();
-        const py::gil_scoped_release release;
+        const GilRelease release;
         const ob::SpaceInformation &si = *setup_->getSpaceInformation();
         Row start(*this), end(*this);
         Signals signals;

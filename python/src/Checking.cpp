@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Changes.h"
+#include "Gil.h"
 #include "Proof.h"
 #include "Reports.h"
 
@@ -71,7 +72,7 @@ namespace ompl_certificates_python
                     [](const Checker &self, const py::object &state)
                     {
                         const Doubles numbers = toDoubles(state, "state");
-                        const py::gil_scoped_release release;
+                        const GilRelease release;
                         return self.describeCollision(numbers);
                     },
                     py::arg("state"),
@@ -105,7 +106,7 @@ namespace ompl_certificates_python
                         {
                             // Another thread may add to the scene once it runs.
                             const Scene own = scene;
-                            const py::gil_scoped_release release;
+                            const GilRelease release;
                             return std::make_shared<Checker>(own, method, motion);
                         }),
                     py::arg("scene"), py::arg("method") = "shared", py::arg("motion") = "discrete",
@@ -127,13 +128,12 @@ namespace ompl_certificates_python
                 "save_certificates",
                 [](const Checker &self, const std::filesystem::path &file)
                 { saveCertificates(*self.getSetup().getTeamChecker(), file); },
-                py::call_guard<py::gil_scoped_release>(), py::arg("file"),
-                "Write what is known of the obstacles to a file.")
+                py::call_guard<GilRelease>(), py::arg("file"), "Write what is known of the obstacles to a file.")
             .def(
                 "load_certificates",
                 [](Checker &self, const std::filesystem::path &file)
                 { return loadCertificates(*self.getSetup().getTeamChecker(), file); },
-                py::call_guard<py::gil_scoped_release>(), py::arg("file"),
+                py::call_guard<GilRelease>(), py::arg("file"),
                 "Read what another run knew of the same obstacles, and return the number of certificates.")
             .def(
                 "set_max_certificates",
@@ -147,8 +147,7 @@ namespace ompl_certificates_python
                 "change looks at the certificates near it.")
             .def(
                 "clear_certificates", [](Checker &self) { self.getSetup().getTeamChecker()->clear(); },
-                py::call_guard<py::gil_scoped_release>(),
-                "Forget all certificates. Waits for running checks of other threads.")
+                py::call_guard<GilRelease>(), "Forget all certificates. Waits for running checks of other threads.")
             .def("statistics", &statisticsOf, "How checks were settled so far, as in the report of a plan")
             .def(
                 "reset_statistics", [](Checker &self) { self.getSetup().getStatistics().reset(); },

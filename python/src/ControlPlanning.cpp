@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Checker.h"
 #include "ControlPlan.h"
+#include "Gil.h"
 #include "Goals.h"
 #include "Mappings.h"
 #include "PlanOptions.h"
@@ -108,8 +109,10 @@ namespace ompl_certificates_python
             return setup;
         }
 
-        /** Plan, and fill in the report; returns what Python threw meanwhile. */
-        std::exception_ptr solve(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
+        /** Plan, and fill in the report and for how many seconds the callback was called; returns what Python threw
+            meanwhile. */
+        std::exception_ptr solve(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report,
+                                 double &seconds)
         {
             Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
             const std::exception_ptr interrupt = progress.run(
@@ -126,6 +129,7 @@ namespace ompl_certificates_python
                     if (timed)
                         report.nearestSeconds = clock->getSeconds();
                 });
+            seconds = progress.getSeconds();
             setCounts(report, setup, progress.getEvaluations());
             if (report.solved)
                 report.cost = stateTimes(setup.getSolutionPath()).back();
@@ -133,9 +137,10 @@ namespace ompl_certificates_python
         }
 
         /** Shorten the solution, for as long as it was planned for at most; returns what Python threw meanwhile. */
-        std::exception_ptr simplify(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
+        std::exception_ptr simplify(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report,
+                                    double seconds)
         {
-            Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
+            Progress progress(options.seconds, 0, options.callback, *setup.getPlanner(), seconds, report.cost);
             const std::exception_ptr interrupt = progress.run([&] { setup.simplifySolution(progress.condition()); });
             report.simplifiedCost = stateTimes(setup.getSolutionPath()).back();
             report.simplifyingSeconds = setup.getLastSimplificationTime();
@@ -156,7 +161,7 @@ namespace ompl_certificates_python
             plan.scene = scene;
             {
                 // Large meshes take time.
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 scene->validate();
                 plan.setup = makeSetup(*scene, options);
             }
@@ -171,9 +176,10 @@ namespace ompl_certificates_python
             setNames(plan, *plan.setup->getStateSpace());
             plan.controlNames = controlNames(*plan.setup->getStateSpace());
             plan.controls = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(plan.controlNames.size())});
-            std::exception_ptr interrupt = solve(*plan.setup, options, plan.report);
+            double seconds = 0.0;
+            std::exception_ptr interrupt = solve(*plan.setup, options, plan.report, seconds);
             if (plan.report.solved && options.simplify && !interrupt)
-                interrupt = simplify(*plan.setup, options, plan.report);
+                interrupt = simplify(*plan.setup, options, plan.report, seconds);
             if (plan.report.solved)
                 setSolution(plan, plan.setup->getSolutionPath());
             plan.certificates = plan.setup->getTeamChecker()->getCertificates();

@@ -1,5 +1,7 @@
 #include "Outcome.h"
 
+#include "Quiet.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/base/ScopedState.h>
@@ -41,6 +43,8 @@ namespace ompl_certificates_python
     {
         if (outcome.tree)
             return;
+        // Planners without a tree of their own warn, such as OMPL's AnytimePathShortening.
+        const Quiet quiet(ompl::msg::LOG_ERROR);
         const auto tree = std::make_shared<ob::PlannerData>(outcome.planner->getSpaceInformation());
         outcome.planner->getPlannerData(*tree);
         outcome.report.setTree(*tree);

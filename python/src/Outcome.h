@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PYTHON_OUTCOME_
 
 #include "Arrays.h"
+#include "Gil.h"
 #include "Reports.h"
 
 #include <ompl_certificates/certificates/Certificate.h>
@@ -99,7 +100,7 @@ namespace ompl_certificates_python
         }
         if (certificates)
             picture.setCertificates(plan.certificates);
-        const py::gil_scoped_release release;
+        const GilRelease release;
         if (plan.solution)
             picture.setPath(*plan.solution);
         picture.write(file.string());
@@ -112,7 +113,7 @@ namespace ompl_certificates_python
         requireSvg(file);
         if (!plan.solution)
             throw ompl::Exception(file, "there is no path to be shown");
-        const py::gil_scoped_release release;
+        const GilRelease release;
         ompl_certificates::PlanAnimation(*plan.scene, *plan.solution).write(file.string());
     }
 
@@ -125,7 +126,7 @@ namespace ompl_certificates_python
         {
             // Another thread may prove the plan meanwhile.
             const ompl_certificates::PlanReport report = plan.report;
-            const py::gil_scoped_release release;
+            const GilRelease release;
             ompl_certificates::PlanViewer viewer(*plan.scene);
             if (plan.solution)
                 viewer.setPath(*plan.solution);

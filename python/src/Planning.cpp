@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Checker.h"
+#include "Gil.h"
 #include "Goals.h"
 #include "Mappings.h"
 #include "Plan.h"
@@ -146,7 +147,7 @@ namespace ompl_certificates_python
             }
             const std::string collision = [&]
             {
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 // To describe one takes FCL's copies of all meshes, which may take a second.
                 return setup.getTeamChecker()->isValid(state) ? std::string() : checker.describeCollision(state);
             }();
@@ -170,7 +171,7 @@ namespace ompl_certificates_python
             // What was chosen for the last plan still serves, if the world has not changed there.
             {
                 const bool isLast = start.is_none() && goal.is_none();
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 if (isLast && setup.getStateValidityChecker()->isValid(goalOf(setup).get()))
                     problem.setProblem(setup);
                 else
@@ -205,8 +206,9 @@ namespace ompl_certificates_python
                 .value();
         }
 
-        /** Plan, and fill in the report; returns what Python threw meanwhile. */
-        std::exception_ptr solve(TeamSetup &setup, const Options &options, PlanReport &report)
+        /** Plan, and fill in the report and for how many seconds the callback was called; returns what Python threw
+            meanwhile. */
+        std::exception_ptr solve(TeamSetup &setup, const Options &options, PlanReport &report, double &seconds)
         {
             Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
             const std::exception_ptr interrupt = progress.run(
@@ -226,6 +228,7 @@ namespace ompl_certificates_python
                     if (!report.solved)
                         report.reason = reasonOf(status, *setup.getPlanner());
                 });
+            seconds = progress.getSeconds();
             setCounts(report, setup, progress.getEvaluations());
             // A planner that ends before its time, and told of no solution until then, is taken to end with its first one.
             if (report.solved && report.firstSolutionSeconds < 0.0 && !progress.wasOver())
@@ -236,9 +239,9 @@ namespace ompl_certificates_python
         }
 
         /** Shorten the solution, for as long as it was planned for at most; returns what Python threw meanwhile. */
-        std::exception_ptr simplify(TeamSetup &setup, const Options &options, PlanReport &report)
+        std::exception_ptr simplify(TeamSetup &setup, const Options &options, PlanReport &report, double seconds)
         {
-            Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
+            Progress progress(options.seconds, 0, options.callback, *setup.getPlanner(), seconds, report.cost);
             const std::exception_ptr interrupt = progress.run([&] { setup.simplifySolution(progress.condition()); });
             report.simplifiedCost = costOf(setup, options);
             report.simplifyingSeconds = setup.getLastSimplificationTime();
@@ -291,10 +294,11 @@ namespace ompl_certificates_python
             plan.report.objective = options.objective;
             plan.report.seed = options.seed;
             setNames(plan, *setup.getStateSpace());
-            std::exception_ptr interrupt = solve(setup, options, plan.report);
+            double seconds = 0.0;
+            std::exception_ptr interrupt = solve(setup, options, plan.report, seconds);
             // An approximate path would be taken for a solution.
             if (plan.report.solved && options.simplify && !interrupt)
-                interrupt = simplify(setup, options, plan.report);
+                interrupt = simplify(setup, options, plan.report, seconds);
             if (plan.report.solved)
                 setSolution(plan, setup.getSolutionPath());
             keepAll(plan, owner);

@@ -1,5 +1,7 @@
 #include "Progress.h"
 
+#include "Gil.h"
+
 #include <charconv>
 #include <exception>
 #include <future>
@@ -15,12 +17,14 @@ namespace ompl_certificates_python
     }
 
     Progress::Progress(double seconds, std::uint64_t evaluations, py::object callback,
-                       const ompl::base::Planner &planner)
+                       const ompl::base::Planner &planner, double secondsBefore, double cost)
       : limit_(seconds)
       , evaluationLimit_(evaluations)
       , callback_(std::move(callback))
       , hasCallback_(!callback_.is_none())
       , planner_(planner)
+      , secondsBefore_(secondsBefore)
+      , cost_(cost)
     {
         requireCallable(callback_);
     }
@@ -45,7 +49,7 @@ namespace ompl_certificates_python
     {
         std::exception_ptr exception;
         {
-            const py::gil_scoped_release release;
+            const GilRelease release;
             std::future<void> end = std::async(std::launch::async,
                                                [this, &work]
                                                {
@@ -54,9 +58,11 @@ namespace ompl_certificates_python
                                                });
             while (end.wait_for(PERIOD) != std::future_status::ready)
             {
+                if (isPythonEnding())
+                    over_ = true;
                 if (over_)
                     continue;
-                const py::gil_scoped_acquire acquire;
+                const GilAcquire acquire;
                 try
                 {
                     if (report())
@@ -96,9 +102,17 @@ namespace ompl_certificates_python
             throw py::error_already_set();
         if (!hasCallback_)
             return false;
-        const py::object answer = callback_(getSeconds(), cost_.load());
-        // numpy has a True of its own.
-        const int truth = PyObject_IsTrue(answer.ptr());
+        int truth = -1;
+        callOrWaitForEnd(
+            [&]
+            {
+                PyObject *const answer =
+                    PyObject_CallFunction(callback_.ptr(), "dd", secondsBefore_ + getSeconds(), cost_.load());
+                // numpy has a True of its own.
+                if (answer)
+                    truth = PyObject_IsTrue(answer);
+                Py_XDECREF(answer);
+            });
         if (truth < 0)
             throw py::error_already_set();
         return truth == 1;

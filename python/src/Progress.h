@@ -28,9 +28,11 @@ namespace ompl_certificates_python
     public:
         /** \brief Plan for \e seconds and, if \e evaluations is not 0, for at most that many evaluations.
             \param callback called with the seconds so far and the best cost (infinite if the planner does not tell);
-            None for no call. It ends the plan if it returns what is true. */
+            None for no call. It ends the plan if it returns what is true.
+            \param secondsBefore, cost what the callback was told before, if this goes on with a plan */
         Progress(double seconds, std::uint64_t evaluations, pybind11::object callback,
-                 const ompl::base::Planner &planner);
+                 const ompl::base::Planner &planner, double secondsBefore = 0.0,
+                 double cost = std::numeric_limits<double>::infinity());
 
         /** \brief The condition for a planner, to be used while this object lives */
         ompl::base::PlannerTerminationCondition condition();
@@ -71,10 +73,11 @@ namespace ompl_certificates_python
         const pybind11::object callback_;
         const bool hasCallback_;
         const ompl::base::Planner &planner_;
+        const double secondsBefore_;
         const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
         std::thread::id planning_;
         double nextCost_{0.0};
-        std::atomic<double> cost_{std::numeric_limits<double>::infinity()};
+        std::atomic<double> cost_;
         std::atomic<std::uint64_t> evaluations_{0};
         std::atomic<bool> over_{false};
     };

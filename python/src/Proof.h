@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PYTHON_PROOF_
 #define OMPL_CERTIFICATES_PYTHON_PROOF_
 
+#include "Gil.h"
 #include "Outcome.h"
 #include "Signals.h"
 
@@ -38,7 +39,7 @@ namespace ompl_certificates_python
     FoundProof findProof(const Path &path, const std::shared_ptr<ompl_certificates::TeamValidityChecker> &checker,
                          const std::function<std::string(const ompl::base::State *)> &describe)
     {
-        const py::gil_scoped_release release;
+        const GilRelease release;
         Signals signals;
         FoundProof found{provePath(path, checker,
                                    ompl::base::PlannerTerminationCondition(

@@ -2,6 +2,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "DynamicRobots.h"
+#include "Gil.h"
 #include "Goals.h"
 #include "Signals.h"
 
@@ -135,7 +136,7 @@ namespace ompl_certificates_python
             const auto &space = robot->getStateSpace();
             std::vector<double> rows, row;
             {
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 ompl::RNG random(seed);
                 ompl::base::ScopedState<> state(space);
                 Signals signals;

@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "Gil.h"
 #include "Goals.h"
 #include "Mappings.h"
 #include "Outcome.h"
@@ -171,7 +172,7 @@ namespace ompl_certificates_python
                 {
                     // Another thread may change the scene meanwhile.
                     Scene copy = self;
-                    const py::gil_scoped_release release;
+                    const GilRelease release;
                     copy.chooseGoals();
                     copy.validate();
                 },
@@ -183,7 +184,7 @@ namespace ompl_certificates_python
                     const auto si = std::make_shared<ompl::base::SpaceInformation>(self.makeTeam());
                     const ompl::geometric::PathGeometric path = [&]
                     {
-                        const py::gil_scoped_release release;
+                        const GilRelease release;
                         return loadPath(file, si);
                     }();
                     return toRows(*si->getStateSpace(), static_cast<unsigned int>(path.getStateCount()),
@@ -199,21 +200,21 @@ namespace ompl_certificates_python
                 {
                     requireSvg(file);
                     const Scene now(self);  // Another thread may add to the scene.
-                    const py::gil_scoped_release release;
+                    const GilRelease release;
                     ScenePicture(now).write(file.string());
                 },
                 py::arg("file"), "Write a picture of the scene, as SVG. The name must end in .svg.");
 
         module.def(
             "load_scene", [](const std::filesystem::path &file, bool dynamics) { return loadScene(file, dynamics); },
-            py::call_guard<py::gil_scoped_release>(), py::arg("file"), py::kw_only(), py::arg("dynamics") = false,
+            py::call_guard<GilRelease>(), py::arg("file"), py::kw_only(), py::arg("dynamics") = false,
             "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app. With dynamics robots of "
             "db-CBS move by controls, and their velocities count; there may be no others.");
         module.def(
             "scene_from_yaml",
             [](const std::string &text, const std::string &source, bool dynamics)
             { return sceneFromYaml(text, source, dynamics); },
-            py::call_guard<py::gil_scoped_release>(), py::arg("text"), py::arg("source") = "scene.yaml", py::kw_only(),
+            py::call_guard<GilRelease>(), py::arg("text"), py::arg("source") = "scene.yaml", py::kw_only(),
             py::arg("dynamics") = false,
             "The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its "
             "folder.");
@@ -223,7 +224,7 @@ namespace ompl_certificates_python
             {
                 const auto points = [&]
                 {
-                    const py::gil_scoped_release release;
+                    const GilRelease release;
                     return loadCloud(file).points;
                 }();
                 return fromPoints(points, 3);
@@ -241,8 +242,8 @@ namespace ompl_certificates_python
                 options.packages.insert(packages.begin(), packages.end());
                 return readMoveItFiles(file, request, ArmFile(urdf, srdf, options)).scene;
             },
-            py::call_guard<py::gil_scoped_release>(), py::arg("scene"), py::arg("request"), py::arg("urdf"),
-            py::arg("srdf"), py::arg("packages") = Mapping<std::string, std::filesystem::path>(),
+            py::call_guard<GilRelease>(), py::arg("scene"), py::arg("request"), py::arg("urdf"), py::arg("srdf"),
+            py::arg("packages") = Mapping<std::string, std::filesystem::path>(),
             "The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm().");
     }
 }

@@ -1,6 +1,7 @@
 #include "SensedObstacles.h"
 
 #include "Arrays.h"
+#include "Gil.h"
 #include "World.h"
 
 #include <ompl_certificates/obstacles/CellObstacles.h>
@@ -31,7 +32,7 @@ namespace ompl_certificates_python
         {
             ObstaclesPtr obstacles;
             {
-                const py::gil_scoped_release release;
+                const GilRelease release;
                 obstacles = make();
             }
             const std::size_t number = scene.getSensedObstacles().size();
@@ -161,7 +162,7 @@ namespace ompl_certificates_python
                 {
                     PointCloud cloud = [&file]
                     {
-                        const py::gil_scoped_release release;
+                        const GilRelease release;
                         return loadCloud(file);
                     }();
                     cloud.radius = radius;

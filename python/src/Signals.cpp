@@ -1,5 +1,7 @@
 #include "Signals.h"
 
+#include "Gil.h"
+
 #include <pybind11/pybind11.h>
 
 namespace ompl_certificates_python
@@ -13,7 +15,7 @@ namespace ompl_certificates_python
         const auto now = std::chrono::steady_clock::now();
         if (now - last_ < period)
             return;
-        const py::gil_scoped_acquire acquire;
+        const GilAcquire acquire;
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
         last_ = std::chrono::steady_clock::now();

@@ -4,6 +4,9 @@ import gc
 import os
 import pathlib
 import signal
+import subprocess
+import sys
+import textwrap
 import time
 from typing import Any, List, Tuple
 
@@ -189,3 +192,53 @@ def test_nothing_is_made_of_nothing(kind: Any) -> None:
     for make in (kind, lambda: kind.__new__(kind), lambda: object.__new__(kind)):
         with pytest.raises(TypeError):
             make()
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "oc.plan(checker, 'RRT', time=60)",
+        "oc.plan(oc.Checker(scene), 'RRT', time=60, callback=lambda *_: sum(range(3000)) < 0)",
+        "checker.is_valid(states)",
+        "[checker.is_valid(states[:5]) for _ in range(10**7)]",
+    ],
+)
+def test_programs_end_while_daemon_threads_work(work: str) -> None:
+    """What Python destroys at the end takes a while, in which the threads ask for its lock."""
+    program = """
+        import threading, time
+        import numpy as np, ompl_certificates as oc
+        scene = oc.Scene([0, 0], [10, 10])
+        scene.add_obstacle(oc.Body.box(1, 11), (5, 5))
+        scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 1], [9, 1])
+        checker = oc.Checker(scene)
+        states = np.random.default_rng(1).uniform(0, 10, (5000000, 2))
+        class Junk: pass
+        junk = Junk()
+        junk.items, junk.junk = [[i] for i in range(300000)], junk
+        threading.Thread(target=lambda: WORK, daemon=True).start()
+        time.sleep(0.3)
+        """
+    text = textwrap.dedent(program).replace("WORK", work)
+    ended = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=100)
+    assert (ended.returncode, ended.stderr) == (0, "")
+
+
+def test_callbacks_are_called_while_the_path_is_simplified(scenes: pathlib.Path) -> None:
+    """Its plan takes some hundredths of a second, and more than a second to be simplified."""
+    scene = oc.load_scene(scenes / "sixteen_robots.yaml")
+    told: List[Any] = []
+    plan = oc.plan(
+        scene, "DRRTstar", first=True, time=60, seed=2, simplify=True, callback=lambda *now: told.append(now)
+    )
+    assert told and told == sorted(told) and told[-1][1] == pytest.approx(plan.report["cost"], 1e-3)
+    whole = plan.report["seconds"]["simplifying"]
+    plan = oc.plan(
+        scene, "DRRTstar", first=True, time=60, seed=2, simplify=True, callback=lambda _, cost: np.isfinite(cost)
+    )
+    assert plan.solved and plan.report["seconds"]["simplifying"] < 0.8 * whole
+
+
+def test_planners_are_quiet_about_their_trees(room: oc.Scene, capfd: pytest.CaptureFixture[str]) -> None:
+    assert oc.plan(room, "AnytimePathShortening", time=0.3, start=[1, 1, 9, 9], goal=[9, 9, 1, 1]).report
+    assert capfd.readouterr().err == ""
