@@ -92,10 +92,10 @@ namespace ompl_certificates
                 std::vector<std::size_t> columns;
                 for (const std::string &name : wanted)
                 {
-                    std::vector<std::size_t> found;
-                    for (std::size_t i = 0; i < names_.size(); ++i)
-                        if (names_[i] == name || withoutBlanks(names_[i]) == name)
-                            found.push_back(i);
+                    std::vector<std::size_t> found = find([&name](const std::string &own) { return own == name; });
+                    // Other programs add blanks. But names of robots may differ in these alone.
+                    if (found.empty())
+                        found = find([&name](const std::string &own) { return withoutBlanks(own) == name; });
                     if (found.size() != 1)
                         throw ompl::Exception(file_, found.empty() ? "there is no column '" + name + "'"
                                                                    : "column '" + name + "' is there twice");
@@ -143,6 +143,17 @@ namespace ompl_certificates
             }
 
         private:
+            /** The columns whose names are right */
+            template <typename IsRight>
+            std::vector<std::size_t> find(const IsRight &isRight) const
+            {
+                std::vector<std::size_t> found;
+                for (std::size_t i = 0; i < names_.size(); ++i)
+                    if (isRight(names_[i]))
+                        found.push_back(i);
+                return found;
+            }
+
             const std::string file_;
             std::istringstream stream_;
             std::size_t line_{0};

@@ -64,11 +64,18 @@ namespace ompl_certificates
                    "'";
         }
 
-        /** \e text with what is not UTF-8 replaced, as in reports: names come from users. */
+        /** \e text with what is not UTF-8 replaced, as in reports, and what XML does not allow: names come from users. */
         std::string inUtf8(const std::string &text)
         {
             using Json = nlohmann::json;
-            return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+            auto result =
+                Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+            // U+FFFE and U+FFFF become U+FFFD, as all else that is replaced.
+            for (std::size_t at = result.find("\xef\xbf"); at != std::string::npos;
+                 at = result.find("\xef\xbf", at + 3))
+                if (char &last = result[at + 2]; last == '\xbe' || last == '\xbf')
+                    last = '\xbd';
+            return result;
         }
 
         /** \e text with XML's special characters escaped and control characters replaced */

@@ -110,6 +110,21 @@ namespace ompl_certificates
         }
     }
 
+    TEST_F(PathReaderTest, ReadsRobotsWhoseNamesDifferInBlanksAlone)
+    {
+        const auto si =
+            spaceOf(sceneFromYaml("environment: {min: [0, 0], max: [10, 10]}\n"
+                                  "robots:\n"
+                                  "  - {type: single_integrator, name: ' a', start: [1, 2], goal: [9, 2]}\n"
+                                  "  - {type: single_integrator, name: a, start: [3, 4], goal: [9, 4]}\n",
+                                  "blanks"));
+        ob::ScopedState<> state(si);
+        state = std::vector<double>{1.0, 2.0, 3.0, 4.0};
+        const ompl::geometric::PathGeometric path(si, state.get());
+        const auto read = loadPath(folder_.write("path.csv", toCsv(path)), si);
+        EXPECT_EQ(ob::ScopedState<>(si->getStateSpace(), read.getState(0)).reals(), state.reals());
+    }
+
     TEST_F(PathReaderTest, TakesTablesOfOtherPrograms)
     {
         const auto path = loadPath(folder_.write("path.csv",

@@ -223,6 +223,27 @@ namespace ompl_certificates
             EXPECT_TRUE(test::isWellFormed(svg));
         }
 
+        TEST(ScenePicture, NamesMayHaveCharactersThatXmlDoesNot)
+        {
+            ob::RealVectorBounds bounds(2);
+            bounds.setHigh(1.0);
+            // U+FFFE, U+FFFF and a control character; then others that begin as the first two do, and stay
+            const Scene scene(
+                "a\xef\xbf\xbe"
+                "b\xef\xbf\xbf"
+                "c\x01"
+                "d\xef\xbf\xbd"
+                "e\xef\xbf\xa0",
+                "names", bounds);
+            const std::string svg = ScenePicture(scene).toSvg();
+            EXPECT_EQ(countOf(svg,
+                              ">a\xef\xbf\xbd"
+                              "b\xef\xbf\xbd"
+                              "c d\xef\xbf\xbd"
+                              "e\xef\xbf\xa0<"),
+                      2u);
+        }
+
         TEST(ScenePicture, PointsOfACloudReachIntoThePictureAndTheLargestAreSeen)
         {
             ob::RealVectorBounds bounds(2);
