@@ -6,7 +6,7 @@
 //                 ...), mesh (low, step, vertices: 16 bits each, triangles: indices of indexBytes bytes)
 //   obstacles     shape (an index), poses (floats)
 //   cells         edge (their length), origin (of cell 0, from that of the bounds), low and size (16 bits, in cells)
-//   clouds        points (floats), radius
+//   clouds        points (floats) of nearly equal radii, radius (the largest of these)
 //   robots        name, color, bodies (for each its parts: [shape, pose]), traced (an index of a body), times (floats,
 //                 of the keys), poses (floats: for each key those of all bodies), goal (floats: those of all bodies),
 //                 links (of an arm: their names, for each body), zones (that it keeps out of: [shape, pose]), tree
