@@ -9,8 +9,8 @@ namespace ompl_certificates_python
     /** \brief Whether Python is about to end the program. Only its main thread then gets its lock. */
     bool isPythonEnding();
 
-    /** \brief Call \e work, which asks for Python's lock or calls Python. If Python ends the thread meanwhile, this waits
-        for the end of the program. What \e work has on its stack by then should need no destructors. */
+    /** \brief Call \e work, which asks for Python's lock or calls Python. If Python ends the thread meanwhile, this
+        waits for the end of the program. What \e work has on its stack by then should need no destructors. */
     void callOrWaitForEnd(const std::function<void()> &work);
 
     /** \brief Gives Python's lock away while this lives: pybind11::gil_scoped_release for work that may last.

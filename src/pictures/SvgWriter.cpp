@@ -64,7 +64,7 @@ namespace ompl_certificates
                    "'";
         }
 
-        /** \e text with what is not UTF-8 replaced, as in reports, and what XML does not allow: names come from users. */
+        /** \e text with what neither UTF-8 nor XML allows replaced, as in reports: names come from users. */
         std::string inUtf8(const std::string &text)
         {
             using Json = nlohmann::json;
