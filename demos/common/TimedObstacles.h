@@ -72,11 +72,6 @@ namespace demos
             return obstacles_->getFingerprint();
         }
 
-        bool knowsPadding() const override
-        {
-            return obstacles_->knowsPadding();
-        }
-
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
         double clearance(const Eigen::Vector3d &point) const override;
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
