@@ -1,7 +1,16 @@
 #include "ConvexSearch.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 namespace ompl_certificates
 {
+    namespace
+    {
+        /** A tetrahedron that is flatter than this has no inside that rounding would not hide. */
+        constexpr double FLAT = 1e-10;
+    }
+
     bool ConvexSearch::add(const Eigen::Vector3d &point, double bound, double precision)
     {
         if (count_ > 0 && bound > precision * nearest_.norm())
@@ -46,10 +55,11 @@ namespace ompl_certificates
                                                    const Eigen::Vector3d &c)
     {
         const Eigen::Vector3d normal = (b - a).cross(c - a);
-        const double squared = normal.squaredNorm();
-        if (squared > 0.0 && normal.dot(a.cross(b)) >= 0.0 && normal.dot(b.cross(c)) >= 0.0 &&
-            normal.dot(c.cross(a)) >= 0.0)
-            return {{a, b, c}, 3, normal.dot(a) / squared * normal};
+        const double ofA = normal.dot(b.cross(c)), ofB = normal.dot(c.cross(a)), ofC = normal.dot(a.cross(b)),
+                     sum = ofA + ofB + ofC;
+        // Whatever rounding does to the normal of a sliver, this is a point between the three.
+        if (sum > 0.0 && ofA >= 0.0 && ofB >= 0.0 && ofC >= 0.0)
+            return {{a, b, c}, 3, (ofA * a + ofB * b + ofC * c) / sum};
         Simplex best = ofSegment(a, b);
         for (const Simplex &other : {ofSegment(b, c), ofSegment(c, a)})
             if (other.nearest.squaredNorm() < best.nearest.squaredNorm())
@@ -66,8 +76,9 @@ namespace ompl_certificates
               std::array<std::size_t, 4>{0, 2, 3, 1}, std::array<std::size_t, 4>{1, 2, 3, 0}})
         {
             const Eigen::Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]);
-            // The origin is on the other side of this face than the fourth point.
-            if (normal.dot(p[a]) * normal.dot(p[d] - p[a]) < 0.0)
+            // The origin is on the side of the fourth point, unless the four are in one plane, but for rounding.
+            const double height = normal.dot(p[d] - p[a]);
+            if (normal.dot(p[a]) * height < 0.0 && std::abs(height) > FLAT * normal.norm() * (p[d] - p[a]).norm())
                 continue;
             const Simplex face = ofTriangle(p[a], p[b], p[c]);
             if (inside || face.nearest.squaredNorm() < best.nearest.squaredNorm())

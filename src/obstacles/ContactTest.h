@@ -38,6 +38,9 @@ namespace ompl_certificates
         bool staysFree(const Body &body, const Pose &pose, double distance) const
         {
             const double within = marginOf(body) + distance;
+            // Nothing is near what is no number.
+            if (!isFinite(pose))
+                return false;
             return body.getPadding() == 0.0 ? test(body, pose, within, nullptr) == Touching::NO
                                             : findWithin(body, pose, body.getPadding() + within) == NO_PART;
         }

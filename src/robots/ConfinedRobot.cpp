@@ -29,6 +29,8 @@ namespace ompl_certificates
                 throw ompl::Exception(robot.getName(), "a zone of " + std::to_string(zone.body.getDimension()) +
                                                            " dimensions cannot keep out a robot that moves in " +
                                                            std::to_string(dimension));
+            if (zone.body.getPadding() > 0.0)
+                throw ompl::Exception(robot.getName(), "a zone has a padding, which the robot is to have");
             PlacedBody rigid{zone.body, rigidPose(zone.pose, "a zone of '" + robot.getName() + "'")};
             for (const Body::Part &part : rigid.body.getParts())
                 if (Pose pose = rigid.pose * part.pose;

@@ -44,7 +44,7 @@ namespace ompl_certificates
         const std::string name = nameOfBody(robot, body);
         const double padding = robot.getBodies()[body].getPadding();
         return "touches " + obstacle + (name.empty() ? "" : " with " + name) +
-               (padding > 0.0 ? ", within its padding of " + shortestText(padding) : "");
+               (padding > 0.0 ? ", with its padding of " + shortestText(padding) : "");
     }
 
     std::string describeOwnContact(const Robot &robot, const BodyPair &pair)
@@ -66,6 +66,6 @@ namespace ompl_certificates
         add(first, nameOfBody(first, body));
         add(second, nameOfBody(second, otherBody));
         const double padding = paddingBetween(first, body, second, otherBody);
-        return text + (padding > 0.0 ? ", within their padding of " + shortestText(padding) : "");
+        return text + (padding > 0.0 ? ", with their padding of " + shortestText(padding) : "");
     }
 }

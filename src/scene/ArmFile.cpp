@@ -222,6 +222,8 @@ namespace ompl_certificates
         for (const TouchableObstacle &obstacle : settings.touchable)
         {
             requireLinks("touch links of obstacle '" + obstacle.name + "'", tree, obstacle.touchLinks);
+            if (obstacle.body.getPadding() > 0.0)
+                throw ompl::Exception("obstacle '" + obstacle.name + "'", "has a padding, which links are to have");
             KinematicTree::Joint fixed;
             fixed.name = "obstacle " + obstacle.name;
             fixed.origin = settings.base.inverse() * obstacle.pose;
@@ -234,8 +236,10 @@ namespace ompl_certificates
     {
         requireLinks("padding", tree, keysOf(settings.linkPadding));
         std::map<std::string, double> paddings = settings.linkPadding;
-        for (const KinematicTree::Link &link : tree.getLinks())
-            paddings.try_emplace(link.name, settings.padding);
+        // An attached body may have one of its own.
+        if (settings.padding > 0.0)
+            for (const KinematicTree::Link &link : tree.getLinks())
+                paddings.try_emplace(link.name, settings.padding);
         return tree.padded(paddings);
     }
 

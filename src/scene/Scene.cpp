@@ -84,6 +84,8 @@ namespace ompl_certificates
         if (obstacle.body.getDimension() != getDimension())
             throw ompl::Exception(source_, name + ": must have " + std::to_string(getDimension()) +
                                                " dimensions, not " + std::to_string(obstacle.body.getDimension()));
+        if (obstacle.body.getPadding() > 0.0)
+            throw ompl::Exception(source_, name + ": has a padding, which the robots are to have");
         obstacles_.push_back(obstacle);
         obstacleTitles_.push_back(name);
     }

@@ -18,6 +18,7 @@ namespace ompl_certificates
             Eigen::AlignedBox3d bounds;
             /** What is inside a mesh in space, or null */
             const MeshSolid *solid;
+            double padding{0.0};
         };
 
         bool isNear(const PlacedPart &part, const Eigen::Vector3d &point, double distance)
@@ -46,6 +47,7 @@ namespace ompl_certificates
                         const TriangleMesh *mesh = part.shape.getMesh();
                         PlacedPart placed{&part.shape, (poses[k] * part.pose).inverse(), part.shape.getBounds(),
                                           mesh && part.shape.getDimension() == 3 ? &mesh->getSolid() : nullptr};
+                        placed.padding = robot.getBodies()[k].getPadding();
                         // In the plane a mesh is above or below the points.
                         if (mesh && part.shape.getDimension() == 2)
                             placed.bounds.min().z() = placed.bounds.max().z() = placed.toShape.translation().z();
@@ -72,12 +74,14 @@ namespace ompl_certificates
             if (!part.toShape.matrix().allFinite())
                 throw ompl::Exception("The state of robots to be left out of a cloud must be finite");
         // More than rounding, so that no body touches a point that is left
-        const double distance = (padding + cloud.radius) * (1.0 + 1e-9) + 1e-12;
+        const auto distanceTo = [&](const PlacedPart &part)
+        { return (padding + part.padding + cloud.radius) * (1.0 + 1e-9) + 1e-12; };
         std::vector<bool> are(cloud.points.size());
         for (std::size_t i = 0; i < are.size(); ++i)
-            are[i] = cloud.points[i].allFinite() &&
-                     std::any_of(parts.begin(), parts.end(),
-                                 [&](const PlacedPart &part) { return isNear(part, cloud.points[i], distance); });
+            are[i] =
+                cloud.points[i].allFinite() &&
+                std::any_of(parts.begin(), parts.end(),
+                            [&](const PlacedPart &part) { return isNear(part, cloud.points[i], distanceTo(part)); });
         return are;
     }
 

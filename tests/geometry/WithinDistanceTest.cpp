@@ -85,11 +85,11 @@ TEST(WithinDistance, IsThatOfFclInSpace)
         const double distance = fclDistance(a, b, pose);
         if (!(distance > 1e-3))
             continue;
-        // Its solver is precise to a millionth, more or less.
-        ASSERT_TRUE(areWithin(a, b, pose, distance * 1.0001 + 1e-5)) << distance;
-        ASSERT_FALSE(areWithin(a, b, pose, distance * 0.9999 - 1e-5)) << distance;
+        // Its solver is mostly precise to a millionth, but not always to a thousandth.
+        ASSERT_TRUE(areWithin(a, b, pose, distance * 1.003 + 1e-5)) << distance;
+        ASSERT_FALSE(areWithin(a, b, pose, distance * 0.997 - 1e-5)) << distance;
         const double asked = random.uniform(0.1, 2.0) * distance;
-        if (std::abs(asked - distance) < 1e-3 * distance)
+        if (std::abs(asked - distance) < 1e-2 * distance)
             continue;
         ASSERT_EQ(areWithin(a, b, pose, asked), asked > distance);
         ++(asked > distance ? near : far);
@@ -126,6 +126,38 @@ TEST(WithinDistance, IsExactForBoxesAlongTheAxes)
         {
             ASSERT_TRUE(areWithin(a, b, poseAt(center), distance * (1.0 + 1e-9) + 1e-9));
             ASSERT_FALSE(areWithin(a, b, poseAt(center), distance * (1.0 - 1e-9) - 1e-9));
+        }
+    }
+}
+
+/** Large faces that are near each other, and slivers, turned anyhow: there the search has simplices that are flat, but for
+    rounding. */
+TEST(WithinDistance, IsExactForLargeFacesAndSlivers)
+{
+    for (unsigned int seed = 0; seed < scaled(4000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double gap = random.logUniform(1e-5, 1e-1), slim = random.logUniform(1e-6, 1.0);
+        const Eigen::Vector3d size(10.0, 10.0 * slim, random.logUniform(1e-3, 1.0));
+        // Side by side along z, shifted by less than their sizes, and all of it turned
+        const Eigen::Matrix3d turn = random.rotation().toRotationMatrix();
+        const auto turned = [&](const TriangleMeshPtr &mesh)
+        {
+            std::vector<Eigen::Vector3d> corners = mesh->getVertices();
+            for (Eigen::Vector3d &corner : corners)
+                corner = turn * corner;
+            return corners;
+        };
+        const TriangleMeshPtr box = boxMesh(size);
+        const auto mesh = std::make_shared<TriangleMesh>(turned(box), box->getTriangles());
+        const Body hull = Body::convexHull(mesh->getVertices()), surface = Body::mesh(mesh);
+        const Pose apart =
+            poseAt(turn * Eigen::Vector3d(random.uniform(-9.0, 9.0), slim * random.uniform(-9.0, 9.0), size.z() + gap));
+        for (const auto &[a, b] : {std::pair{hull, hull}, {hull, surface}, {surface, hull}, {surface, surface}})
+        {
+            ASSERT_TRUE(areWithin(a, b, apart, gap * (1.0 + 1e-6) + 1e-9)) << gap << " " << slim;
+            ASSERT_FALSE(areWithin(a, b, apart, gap * (1.0 - 1e-6) - 1e-9)) << gap << " " << slim;
         }
     }
 }

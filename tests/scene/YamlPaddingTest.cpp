@@ -12,19 +12,19 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    const std::string ENVIRONMENT =
+    const std::string WORLD_WITH_A_BOX =
         "environment:\n  min: [0, 0]\n  max: [10, 10]\n"
         "  obstacles: [{type: box, center: [5, 5], size: [2, 2]}]\nrobots:\n";
 
-    Scene sceneOf(const std::string &robots, bool dynamics = false)
+    Scene sceneOfPadded(const std::string &robots, bool dynamics = false)
     {
-        return sceneFromYaml(ENVIRONMENT + robots, "padding", dynamics);
+        return sceneFromYaml(WORLD_WITH_A_BOX + robots, "padding", dynamics);
     }
 }
 
 TEST(YamlPadding, IsOfAllBodiesOfARobot)
 {
-    const Scene scene = sceneOf(
+    const Scene scene = sceneOfPadded(
         "  - {type: rigid, space: SE2, shape: {type: disc, radius: 0.5}, padding: 0.25, start: [1, 1, 0], "
         "goal: [9, 9, 0]}\n"
         "  - {type: car_with_trailer, car: {type: disc, radius: 0.2}, trailer: {type: disc, radius: 0.1}, "
@@ -39,7 +39,7 @@ TEST(YamlPadding, IsOfAllBodiesOfARobot)
             EXPECT_EQ(member.robot->getBodies()[body].getPadding(), member.robot->isZone(body) ? 0.0 : 0.25)
                 << member.robot->getName() << " " << body;
     const Scene moving =
-        sceneOf("  - {type: unicycle_first_order, padding: 0.25, start: [8, 1, 0], goal: [1, 9, 0]}\n", true);
+        sceneOfPadded("  - {type: unicycle_first_order, padding: 0.25, start: [8, 1, 0], goal: [1, 9, 0]}\n", true);
     EXPECT_TRUE(dynamic_cast<const DynamicRobot *>(moving.getMembers()[0].robot.get()));
     EXPECT_EQ(moving.getMembers()[0].robot->getBodies()[0].getPadding(), 0.25);
 }
@@ -64,15 +64,15 @@ TEST(YamlPadding, IsOfTheLinksOfAnArm)
 TEST(YamlPadding, IsToldInMessages)
 {
     const auto messageOf = [](const std::string &robots)
-    { return test::messageOf([&] { sceneOf(robots).validate(); }); };
+    { return test::messageOf([&] { sceneOfPadded(robots).validate(); }); };
     const std::string robot = "  - {type: rigid, space: R2, shape: {type: disc, radius: 0.5}, padding: ";
-    EXPECT_EQ(messageOf(robot + "0.25, start: [3.3, 5], goal: [1, 9]}\n"),
-              "padding: robots[0].start [3.3, 5] of 'robot_0' touches environment.obstacles[0], within its padding of "
-              "0.25");
+    EXPECT_EQ(
+        messageOf(robot + "0.25, start: [3.3, 5], goal: [1, 9]}\n"),
+        "padding: robots[0].start [3.3, 5] of 'robot_0' touches environment.obstacles[0], with its padding of 0.25");
     EXPECT_EQ(messageOf(robot + "0.2, start: [3.3, 5], goal: [1, 9]}\n"), "");
     EXPECT_NE(
         messageOf(robot + "0.25, start: [1, 1], goal: [1, 9]}\n" + robot + "0.5, start: [1, 2.7], goal: [3, 9]}\n")
-            .find("within their padding of 0.75"),
+            .find("with their padding of 0.75"),
         std::string::npos);
     EXPECT_NE(messageOf(robot + "-1, start: [1, 1], goal: [1, 9]}\n").find("robots[0].padding: must not be negative"),
               std::string::npos);

@@ -43,13 +43,13 @@ namespace ompl_certificates
 
         bool collides(const Body &body, const Pose &pose) const override;
 
-        /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its
-            box */
         bool knowsPadding() const override
         {
             return true;
         }
 
+        /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its
+            box */
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;

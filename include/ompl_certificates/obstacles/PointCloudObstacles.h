@@ -46,12 +46,12 @@ namespace ompl_certificates
             more, for a mesh about 0.1 µs. */
         bool collides(const Body &body, const Pose &pose) const override;
 
-        /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 1.7 µs. */
         bool knowsPadding() const override
         {
             return true;
         }
 
+        /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 1.7 µs. */
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;

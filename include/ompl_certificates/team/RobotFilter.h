@@ -14,7 +14,8 @@ namespace ompl_certificates
         other pieces only points near their triangles are dropped. Points that are not finite stay.
         \param team the robots
         \param state where they were, in the team's space
-        \param padding the error of the sensor and of the state, in the scene's length unit
+        \param padding the error of the sensor and of the state, in the scene's length unit. The paddings of the bodies
+        are added, see Body::padded().
         \throws ompl::Exception if padding or radius is negative or not finite, or the state is not finite
         Cost: some nanoseconds per point and body; logarithmic in the triangles of a mesh. */
     PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding);
