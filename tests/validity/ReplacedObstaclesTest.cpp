@@ -81,7 +81,7 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
             const std::size_t known = checker->getCertificateCount();
             // The same obstacles once more: who has a fingerprint keeps what is known.
             checker->changeObstacles({make(worldOf(1)), {}, {}});
-            EXPECT_EQ(checker->getCertificateCount(), known);
+            EXPECT_EQ(checker->getCertificateCount(), before->getFingerprint() != 0 ? known : 0U);
             // Who does not know what there was may still say that all of it is replaced.
             checker->changeObstacles(told == "both"    ? ObstacleChange::replacing(before, after)
                                      : told == "after" ? ObstacleChange{after, nullptr, nullptr}
@@ -157,7 +157,8 @@ TEST(ReplacedObstacles, AreFoundWhereAChangeWasMissed)
         expectTruth(team, *checker, change.after, states);
         // The first change of a set starts from none.
         ObstacleSet other(2);
-        other.add({Body::box(0.4, 0.4), planarPose(1.0, 1.0)});
+        for (const PlacedBody &body : worldOf(4))
+            other.add(body);
         const ObstacleChange first = whole(other.takeChange());
         checker->changeObstacles(first);
         expectTruth(team, *checker, first.after, states);
