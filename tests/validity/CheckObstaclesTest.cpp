@@ -33,6 +33,11 @@ namespace
             return collision ? collision(body, pose) : truth->collides(body, pose);
         }
 
+        bool knowsPadding() const override
+        {
+            return paddings;
+        }
+
         double clearance(const Eigen::Vector3d &point) const override
         {
             return factor * truth->clearance(point) + offset;
@@ -89,7 +94,7 @@ namespace
         double factor{1.0}, offset{0.0}, nearestOffset{0.0}, gapOffset{0.0}, tolerance{-1.0};
         double nearLimitOffset{0.0}, beyondLimitOffset{0.0};
         ObstaclePart partSaid{NO_PART};
-        bool hits{false}, proves{true}, leavesOutAll{false}, staysAlways{false};
+        bool hits{false}, proves{true}, paddings{true}, leavesOutAll{false}, staysAlways{false};
         std::function<bool(const Body &, const Pose &)> collision;
         std::function<Touching(const Body &, const Pose &)> touching;
     };
@@ -128,6 +133,15 @@ namespace
         TeamStateSpacePtr team_;
         std::unique_ptr<Told> told_;
     };
+}
+
+TEST_P(ToldObstacles, MustKnowOfPaddings)
+{
+    told_->paddings = false;
+    const std::vector<Body> bodies = bodiesOf(*team_);
+    const bool isPadded =
+        std::any_of(bodies.begin(), bodies.end(), [](const Body &body) { return body.getPadding() > 0.0; });
+    EXPECT_EQ(complaint(), isPadded ? "Obstacles: body 0 is padded, but knowsPadding() is false" : "");
 }
 
 TEST_P(ToldObstacles, AreWithoutFaultIfTheyTellTheTruth)
