@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/obstacles/CheckObstacles.h"
 
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 
