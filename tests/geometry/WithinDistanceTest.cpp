@@ -130,8 +130,8 @@ TEST(WithinDistance, IsExactForBoxesAlongTheAxes)
     }
 }
 
-/** Large faces that are near each other, and slivers, turned anyhow: there the search has simplices that are flat, but for
-    rounding. */
+/** Large faces that are near each other, and slivers, turned anyhow: there the search has simplices that are flat, but
+    for rounding. */
 TEST(WithinDistance, IsExactForLargeFacesAndSlivers)
 {
     for (unsigned int seed = 0; seed < scaled(4000); ++seed)

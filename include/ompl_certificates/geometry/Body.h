@@ -97,10 +97,10 @@ namespace ompl_certificates
             tilted, or if a pose is not finite, scales or mirrors */
         explicit Body(std::vector<Part> parts);
 
-        /** \brief The same shapes with a padding: a body that keeps this distance from obstacles, zones and other robots.
-            Two robots keep the sum of their paddings from each other. Bodies of one robot keep none from each other. It
-            is exact, with round corners: a padded box is no larger box. FCL has no such check, so padded bodies have
-            one of this library, whatever the method. Obstacles and zones are not padded.
+        /** \brief The same shapes with a padding: a body that keeps this distance from obstacles, zones and other
+            robots. Two robots keep the sum of their paddings from each other, bodies of one robot keep none. It is
+            exact, with round corners: a padded box is no larger box. FCL has no such check, so padded bodies have one
+            of this library, whatever the method. Obstacles and zones are not padded.
 
             In the plane a mesh is seen from above, but by other meshes: these it keeps the distance from in space.
             \param padding the distance, in the scene's length unit, in place of the present one; 0 for none

@@ -33,8 +33,8 @@ namespace ompl_certificates
             \param zInterval in the plane: the z-interval of the robots, see TeamStateSpace::getZInterval(). Parts of
             planar meshes outside it do not count, and checkers refuse robots that exceed it. The z-interval of
             primitives is unbounded.
-            \throws ompl::Exception if an obstacle has a padding, another dimension, or a pose that is not finite, scales
-            or mirrors. In the plane also if it is tilted, or is no mesh and not at z = 0. A rotation may be rounded to
+            \throws ompl::Exception if an obstacle has a padding, another dimension, or a pose that is not finite,
+            scales or mirrors. In the plane also if it is tilted, or is no mesh and not at z = 0. A rotation may be rounded to
             three decimals: the nearest true one is taken. */
         FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension, const ZInterval &zInterval = {});
 

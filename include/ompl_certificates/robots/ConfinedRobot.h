@@ -17,8 +17,8 @@ namespace ompl_certificates
     public:
         /** \brief \e robot, kept out of \e zones; a DynamicRobot is made of a confined one, not confined itself
             \throws ompl::Exception if \e robot is null, has zones, or is an Arm, for which there is
-            ArmOptions::obstacles. Also if there is no zone, or one has a padding, another dimension than the robot, or a
-            pose that is not finite, scales or mirrors, or one of a planar robot does not stand upright at z = 0 */
+            ArmOptions::obstacles. Also if there is no zone, or one has a padding, another dimension than the robot, or
+            a pose that is not finite, scales or mirrors, or one of a planar robot does not stand upright at z = 0 */
         ConfinedRobot(const RobotPtr &robot, const std::vector<PlacedBody> &zones);
 
         /** \brief The robot without its zones */

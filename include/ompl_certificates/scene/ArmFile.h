@@ -123,8 +123,8 @@ namespace ompl_certificates
                 that is bolted to a table; see Robot::mayTouchObstacles() */
             std::vector<std::string> mayTouchObstacles{};
 
-            /** \brief The distance that all links and attached bodies keep from obstacles; see Body::padded(). They keep
-                none from each other. */
+            /** \brief The distance that all links and attached bodies keep from obstacles; see Body::padded(). They
+                keep none from each other. */
             double padding{0.0};
 
             /** \brief That of links and attached bodies which have another one */
