@@ -421,7 +421,7 @@ def test_padded_bodies_keep_a_distance() -> None:
             True,
             False,
         ]
-    assert checker.describe_collision([1.74, 0, 0]) == "robot 'r' touches obstacle 'block', with its padding of 0.25"
+    assert checker.describe_collision([1.74, 0, 0]) == "robot 'r' touches 'block', with its padding of 0.25"
     plan = oc.plan(scene, time=20, first=True, motion="continuous")
     assert plan.solved and plan.prove()
     with pytest.raises(oc.Error, match="^The padding of a body must be finite and not negative"):
