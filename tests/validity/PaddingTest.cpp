@@ -113,11 +113,11 @@ TEST_F(Padding, OfTwoRobotsAddsUp)
     EXPECT_FALSE(isValid(discs, {}, {0.0, 0.0, 1.249, 0.0}));
 }
 
-/** The first and the third link lie beside each other, 0.1 apart. */
+/** The first and the third link lie beside each other, 0.9 apart. */
 TEST_F(Padding, IsNotKeptWithinARobot)
 {
     const double turn = std::acos(0.0);
-    for (const double padding : {0.0, 0.3})
+    for (const double padding : {0.0, 0.5})
     {
         const auto team = teamOf({foldingArm(padding)});
         EXPECT_TRUE(isValid(team, {}, {0.0, turn, turn})) << padding;
