@@ -1,6 +1,8 @@
 #include "Gil.h"
 
+#include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 #ifdef __GLIBCXX__
 #include <cxxabi.h>
@@ -10,6 +12,26 @@ namespace ompl_certificates_python
 {
     namespace
     {
+        /** \brief How many threads work without Python's lock */
+        std::atomic<unsigned int> working{0};
+
+        /** \brief The innermost of this thread */
+        thread_local GilRelease *released = nullptr;
+
+        void waitForWork()
+        {
+            constexpr std::chrono::milliseconds pause(1);
+            for (int i = 0; i < 1000 && working > 0; ++i)
+                std::this_thread::sleep_for(pause);
+        }
+
+        /** \brief Python has ended when the program calls this, and nothing it uses has been destroyed. */
+        void waitForWorkAtExit()
+        {
+            static const int registered = std::atexit(&waitForWork);
+            static_cast<void>(registered);
+        }
+
         [[noreturn]] void waitForEndOfProgram()
         {
             while (true)
@@ -43,13 +65,32 @@ namespace ompl_certificates_python
 #endif
     }
 
+    GilRelease::GilRelease() : state_(PyEval_SaveThread()), outer_(released)
+    {
+        waitForWorkAtExit();
+        released = this;
+        ++working;
+    }
+
     GilRelease::~GilRelease()
     {
+        released = outer_;
+        --working;
         callOrWaitForEnd([this] { PyEval_RestoreThread(state_); });
     }
 
-    GilAcquire::GilAcquire()
+    GilAcquire::GilAcquire() : release_(released)
     {
-        callOrWaitForEnd([this] { state_ = PyGILState_Ensure(); });
+        --working;
+        // Unlike PyGILState_Ensure() this may be called when Python has ended.
+        callOrWaitForEnd([this] { PyEval_RestoreThread(release_->state_); });
+        released = nullptr;
+    }
+
+    GilAcquire::~GilAcquire()
+    {
+        PyEval_SaveThread();
+        released = release_;
+        ++working;
     }
 }

@@ -17,13 +17,12 @@ namespace ompl_certificates_python
 
         When the main thread has ended, Python ends each daemon thread that asks for the lock. It does so by unwinding
         its stack, which must not leave a destructor and would end the program by a signal. So such a thread waits
-        here for the end of the program. */
+        here for the end of the program, which in turn waits up to a second for such work to notice it: what the
+        program destroys by then may be in use. */
     class GilRelease
     {
     public:
-        GilRelease() : state_(PyEval_SaveThread())
-        {
-        }
+        GilRelease();
 
         ~GilRelease();
 
@@ -31,26 +30,26 @@ namespace ompl_certificates_python
         GilRelease &operator=(const GilRelease &) = delete;
 
     private:
+        friend class GilAcquire;
+
         PyThreadState *const state_;
+        GilRelease *const outer_;
     };
 
-    /** \brief Takes Python's lock again while this lives, within a GilRelease. Waits for the end of the program as that
-        does. */
+    /** \brief Takes Python's lock again while this lives, within a GilRelease of the same thread. Waits for the end of
+        the program as that does. */
     class GilAcquire
     {
     public:
         GilAcquire();
 
-        ~GilAcquire()
-        {
-            PyGILState_Release(state_);
-        }
+        ~GilAcquire();
 
         GilAcquire(const GilAcquire &) = delete;
         GilAcquire &operator=(const GilAcquire &) = delete;
 
     private:
-        PyGILState_STATE state_;
+        GilRelease *const release_;
     };
 }
 

@@ -13,7 +13,7 @@ namespace ompl_certificates_python
         // Another thread of Python may keep the lock for 5 ms, so it is not asked for often.
         constexpr std::chrono::milliseconds period(100);
         const auto now = std::chrono::steady_clock::now();
-        if (now - last_ < period)
+        if (now - last_ < period && !isPythonEnding())
             return;
         const GilAcquire acquire;
         if (PyErr_CheckSignals() != 0)
