@@ -123,11 +123,22 @@ namespace ompl_certificates
 
         const Body &shape = scene_.getMembers()[robot].robot->getBodies()[body];
         const SceneView around = view.aroundOrigin(shape.getBoundingRadius());
+        const auto drawShape = [&]
+        {
+            if (spatial)
+                drawTurning(svg, around, robot, body);
+            else
+                around.draw(svg, shape, Pose::Identity());
+        };
         svg.beginMovingGroup(motion, seconds_ + REST);
-        if (spatial)
-            drawTurning(svg, around, robot, body);
-        else
-            around.draw(svg, shape, Pose::Identity());
+        if (shape.getPadding() > 0.0)
+        {
+            svg.beginGroup(
+                SceneDrawing::paddingStyle(SceneDrawing::colorOf(robot), view.getScale() * shape.getPadding()));
+            drawShape();
+            svg.endGroup();
+        }
+        drawShape();
         svg.endGroup();
     }
 

@@ -108,6 +108,27 @@ namespace ompl_certificates
                 view.draw(svg, robot.getBodies()[k], poses[k]);
     }
 
+    std::string SceneDrawing::paddingStyle(const std::string &color, double width)
+    {
+        // Half of a line lies within the outline, and round corners make it the padded shape exactly.
+        return "opacity='0.2' stroke-linejoin='round' fill='" + color + "' stroke='" + color + "' stroke-width='" +
+               std::to_string(2.0 * width) + "'";
+    }
+
+    void SceneDrawing::drawPaddings(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses,
+                                    const std::string &color)
+    {
+        for (std::size_t k = 0; k < poses.size(); ++k)
+        {
+            const Body &body = robot.getBodies()[k];
+            if (isOwnObstacle(robot, k) || !(body.getPadding() > 0.0))
+                continue;
+            svg.beginGroup(paddingStyle(color, view.getScale() * body.getPadding()));
+            view.draw(svg, body, poses[k]);
+            svg.endGroup();
+        }
+    }
+
     void SceneDrawing::requireTeam(const ob::StateSpacePtr &space) const
     {
         const auto *team = dynamic_cast<const TeamStateSpace *>(space.get());
@@ -215,9 +236,11 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < goals.size(); ++i)
         {
             const std::string color = colorOf(i);
+            const Robot &robot = *scene_.getMembers()[i].robot;
+            drawPaddings(svg, view, robot, goals[i], color);
             svg.beginGroup("fill='white' fill-opacity='0.25' stroke-dasharray='4,2' stroke='" + color +
                            "' stroke-width='1.5'");
-            drawBodies(svg, view, *scene_.getMembers()[i].robot, goals[i]);
+            drawBodies(svg, view, robot, goals[i]);
             svg.endGroup();
             // One robot's goal may be another's start: the crosses have a white edge.
             const Eigen::Vector2d center = view.project(pointOf(i, goals[i]));

@@ -49,6 +49,14 @@ namespace ompl_certificates
         /** \brief Draw bodies that have their poses, but no obstacles */
         static void drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses);
 
+        /** \brief Draw what paddings add to bodies, see Body::padded(): a pale edge. Draw the bodies over it. */
+        static void drawPaddings(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses,
+                                 const std::string &color);
+
+        /** \brief The attributes of a group in which bodies are drawn as the edge that a padding adds to them
+            \param width how wide the edge is, in pixels */
+        static std::string paddingStyle(const std::string &color, double width);
+
         /** \brief Require that \e space is the space of the scene's robots
             \throws ompl::Exception if not */
         void requireTeam(const ompl::base::StateSpacePtr &space) const;

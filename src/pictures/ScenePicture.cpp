@@ -239,6 +239,7 @@ namespace ompl_certificates
         {
             const Robot &robot = *scene_.getMembers()[i].robot;
             const std::string color = SceneDrawing::colorOf(i), stroke = "stroke='" + color + "' stroke-width='1.5'";
+            SceneDrawing::drawPaddings(svg, view, robot, starts[i], color);
             svg.beginGroup("fill='" + color + "' fill-opacity='0.75' " + stroke);
             SceneDrawing::drawBodies(svg, view, robot, starts[i]);
             svg.endGroup();

@@ -1,5 +1,6 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "pictures/SceneDrawing.h"
 #include "support/Svg.h"
@@ -165,6 +166,28 @@ namespace ompl_certificates
             EXPECT_EQ(countOf(group, "<polygon") + countOf(group, "<path"), 1U) << group;
             const std::string shape = group.substr(group.find('<'), group.find('>', group.find('<')) - group.find('<'));
             EXPECT_EQ(countOf(svg, shape), 1U) << shape;
+        }
+
+        TEST(ScenePicture, APaddingIsAPaleEdgeAtTheStartAndTheGoal)
+        {
+            const std::string text =
+                "environment: {min: [-10, 0], max: [90, 50]}\n"
+                "robots:\n"
+                "  - {type: rigid, space: R2, shape: {type: box, size: [4, 2]}, start: [0, 20], goal: [80, 20], "
+                "padding: 1.5, keep_out: [{type: box, center: [40, 40], size: [10, 10]}]}\n"
+                "  - {type: rigid, space: R2, shape: {type: disc, radius: 1}, start: [0, 40], goal: [80, 40]}\n";
+            const PlannedPath planned(text, {40, 20, 40, 40});
+            // 7.2 pixels are a unit, and half of the line lies within the box.
+            const std::string edge = "stroke-linejoin='round' fill='" + SceneDrawing::colorOf(0) + "' stroke='" +
+                                     SceneDrawing::colorOf(0) + "' stroke-width='21.6";
+            const std::string picture = ScenePicture(planned.scene).toSvg();
+            EXPECT_TRUE(test::isWellFormed(picture));
+            EXPECT_EQ(countOf(picture, edge), 2U);
+            EXPECT_EQ(countOf(picture, "stroke-linejoin='round' fill="), 2U);
+            const std::string animation = PlanAnimation(planned.scene, *planned.path).toSvg();
+            EXPECT_TRUE(test::isWellFormed(animation));
+            // That of the goal stands still.
+            EXPECT_EQ(countOf(animation, edge), 2U);
         }
 
         TEST(ScenePicture, TheLegendTellsWhatIsDrawn)
