@@ -114,6 +114,7 @@ namespace ompl_certificates
         roadmaps_.reset();
         starts_.clear();
         best_.reset();
+        isBestOptimal_ = false;
         stuckRobot_.clear();
         rounds_ = 0;
         iterations_ = 0;
@@ -250,13 +251,34 @@ namespace ompl_certificates
     {
         // An attempt changes the way of one robot.
         const std::uint64_t attempts = roadmaps_->getRobotCount() * effort(SMOOTHING_ATTEMPTS);
-        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, attempts, condition))
+        if (smoothing_ && !isDone() && simplifier_->simplify(path, attempts, condition))
             report(path);
     }
 
     bool DRRTstar::isSatisfied() const
     {
         return best_ && objective_->isSatisfied(getBestCost());
+    }
+
+    bool DRRTstar::isDone() const
+    {
+        return isBestOptimal_ || isSatisfied();
+    }
+
+    bool DRRTstar::isOptimal(const og::PathGeometric &path) const
+    {
+        const auto isLeast = [&](const ob::OptimizationObjectivePtr &objective)
+        {
+            ob::Cost bound = objective->infiniteCost();
+            for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
+                bound =
+                    objective->betterCost(bound, objective->costToGo(pdef_->getStartState(i), pdef_->getGoal().get()));
+            // A sum over the states of a path is rounded.
+            constexpr double rounding = 1e-12;
+            const ob::Cost cost(path.cost(objective).value() * (1.0 - rounding));
+            return !objective->isCostBetterThan(bound, cost);
+        };
+        return isLeast(objective_) && isLeast(std::make_shared<TeamObjective>(si_, TeamObjective::SUM_OF_LENGTHS));
     }
 
     bool DRRTstar::report(const og::PathGeometric &path)
@@ -268,10 +290,14 @@ namespace ompl_certificates
             const auto lengths = std::make_shared<TeamObjective>(si_, TeamObjective::SUM_OF_LENGTHS);
             if (!objective_->isCostBetterThan(getBestCost(), cost) &&
                 lengths->isCostBetterThan(path.cost(lengths), best_->cost(lengths)))
+            {
                 best_ = std::make_shared<og::PathGeometric>(path);
+                isBestOptimal_ = isOptimal(path);
+            }
             return false;
         }
         best_ = std::make_shared<og::PathGeometric>(path);
+        isBestOptimal_ = isOptimal(path);
         bestCost_ = cost.value();
         if (const auto intermediate = pdef_->getIntermediateSolutionCallback())
             intermediate(this, {best_->getStates().begin(), best_->getStates().end()}, cost);
@@ -289,10 +315,13 @@ namespace ompl_certificates
             return status;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
+        // A start or a goal may have been added since.
+        if (best_)
+            isBestOptimal_ = isOptimal(*best_);
         if (const unsigned int robots = roadmaps_->getRobotCount();
             rounds_ == 0 && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
             planTogether(condition);
-        for (; !condition && !isSatisfied(); ++rounds_)
+        for (; !condition && !isDone(); ++rounds_)
         {
             if (rounds_ > 0)
                 growRoadmaps(condition);
@@ -306,7 +335,7 @@ namespace ompl_certificates
             searchByPriorities(condition);
             if (!best_)
                 searchInCrowd(condition);
-            if (!isSatisfied())
+            if (!isDone())
                 searchTree(condition);
             if (best_)
                 shorten(*best_, condition);

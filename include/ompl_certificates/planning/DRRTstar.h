@@ -32,9 +32,10 @@ namespace ompl_certificates
         - A tree in the tensor product (dRRT*) looks for better solutions, and for the first one, too.
         - A TeamPathSimplifier shortens what was found robot by robot; see setSmoothing().
 
-        It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until
-        the cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of
-        checking.
+        It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, until
+        the cost satisfies the objective, or until each robot goes straight to its goal, at the least cost that the
+        objective's OptimizationObjective::costToGo() allows. Equal seeds and numbers of iterations give equal paths
+        under all methods of checking.
 
         Of a goal region, each round samples ten more goals. The robots' parts of goals are mixed if the region contains
         the result: so each robot goes to one that it reaches, and that is near.
@@ -64,10 +65,10 @@ namespace ompl_certificates
         /** \brief Set the problem; if it is another one than before, clear(). */
         void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
 
-        /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
-            search before, unless clear() was called, or the validity checker, the motion validator or the objective is
-            another one. If a robot finds no way even alone, a message names it; then planning also ends when the
-            roadmaps have grown to their limit and all goals were taken. */
+        /** \brief Plan until \e condition becomes true, the objective is satisfied or no path can be better. Calls
+            of solve() continue the search before, unless clear() was called, or the validity checker, the motion
+            validator or the objective is another one. If a robot finds no way even alone, a message names it; then
+            planning also ends when the roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
@@ -196,6 +197,13 @@ namespace ompl_certificates
         /** \brief Whether the best path is good enough for the objective */
         bool isSatisfied() const;
 
+        /** \brief Whether the search may end: the best path is good enough, or no path can be better */
+        bool isDone() const;
+
+        /** \brief Whether a path costs no more than any path from a start to the goal must. Of costs that only the
+            longest way counts for, it must be as short as any path, too. */
+        bool isOptimal(const ompl::geometric::PathGeometric &path) const;
+
         /** \brief Shorten a path if none is good enough yet, and report it if that makes it the best */
         void shorten(ompl::geometric::PathGeometric path, const ompl::base::PlannerTerminationCondition &condition);
 
@@ -218,6 +226,8 @@ namespace ompl_certificates
         std::vector<Configuration> starts_;
         ompl::base::OptimizationObjectivePtr objective_;
         std::shared_ptr<ompl::geometric::PathGeometric> best_;
+        /** \brief Whether the best path is optimal */
+        bool isBestOptimal_{false};
         /** \brief The cost of the best path of the tree, before it was shortened */
         ompl::base::Cost treeCost_;
         /** \brief The robot that found no way alone in this round */
