@@ -22,7 +22,7 @@ namespace ompl_certificates
         /** A robot rests where a step moves it by no more than rounding, as a part of the tolerance or of its space. */
         constexpr double LEAST_MOTION = 1e-9;
 
-        constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max();
+        constexpr std::uint32_t TARGET_NODE = std::numeric_limits<std::uint32_t>::max();
     }
 
     RobotTree::RobotTree(RobotTrajectories &others, const Task &task, const Shooting::Durations &durations,
@@ -43,7 +43,8 @@ namespace ompl_certificates
         near_.setDistanceFunction(
             [this](Number a, Number b)
             {
-                const auto stateOf = [this](Number i) { return i == TARGET ? target_.get() : nodes_[i].state.get(); };
+                const auto stateOf = [this](Number i)
+                { return i == TARGET_NODE ? target_.get() : nodes_[i].state.get(); };
                 return space_.distance(stateOf(a), stateOf(b));
             });
         nodes_.push_back({others.clone(task.robot, task.start), 0, {}, 0, 0});
@@ -78,7 +79,7 @@ namespace ompl_certificates
 
     bool RobotTree::extend()
     {
-        const Number parent = near_.nearest(TARGET);
+        const Number parent = near_.nearest(TARGET_NODE);
         const std::size_t begin = nodes_[parent].step;
         const ob::RealVectorBounds &bounds = robot_.getControlBounds();
         Node best{nearest_, parent, {}, 0, 0};

@@ -72,7 +72,7 @@ namespace ompl_certificates
         ompl::base::StateSamplerPtr sampler_;
         std::vector<Node> nodes_;
         Shooting shooting_;
-        /** \brief States that anyone may use for a moment, and the one to which the tree grows, as node TARGET */
+        /** \brief States that anyone may use for a moment, and the one to which the tree grows, as node TARGET_NODE */
         RobotTrajectories::State before_, after_, nearest_, target_;
         ompl::NearestNeighborsGNATNoThreadSafety<Number> near_;
     };

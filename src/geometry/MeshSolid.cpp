@@ -107,11 +107,12 @@ namespace ompl_certificates
             return rest;
         }
 
-        bool isClosed(const Surface &piece)
+        /** Whether each edge is one of an even number of triangles, however they are turned */
+        bool hasEvenEdges(const Surface &piece)
         {
-            bool closed = true;
-            forEachEdge(sidesOf(piece), [&closed](auto first, auto end) { closed = closed && (end - first) % 2 == 0; });
-            return closed;
+            bool even = true;
+            forEachEdge(sidesOf(piece), [&even](auto first, auto end) { even = even && (end - first) % 2 == 0; });
+            return even;
         }
 
         /** A turn about no special axis. Rays go along z of the turned frame: they meet no edge or corner of a mesh
@@ -150,7 +151,7 @@ namespace ompl_certificates
         const Surface surface = withoutLoose(orderedTriangles(mesh));
         for (const Surface &closed : piecesOf(surface, mesh.getVertices().size()))
         {
-            if (!isClosed(closed))
+            if (!hasEvenEdges(closed))
                 continue;
             Piece piece;
             piece.triangles.reserve(closed.size());
