@@ -164,7 +164,16 @@ namespace
 
     std::string tableOf(const ompl::geometric::PathGeometric &path, const PlanTeamOptions &options)
     {
-        return options.pathStep > 0.0 ? toCsv(path, options.pathStep) : toCsv(path);
+        if (!(options.pathStep > 0.0))
+            return toCsv(path);
+        try
+        {
+            return toCsv(path, options.pathStep);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            throw ompl::Exception("--path-step", exception.what());
+        }
     }
 
     /** Write all files that are asked for; one that cannot be written does not keep the others from it. */
@@ -236,7 +245,8 @@ namespace
 
         if (options.dryRun)
         {
-            demos::printTask(options, scene, *setup->getPlanner());
+            if (!options.quiet)
+                demos::printTask(options, scene, *setup->getPlanner());
             return demos::SOLVED;
         }
 

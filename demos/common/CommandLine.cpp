@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <ompl/util/Exception.h>
@@ -38,6 +39,15 @@ namespace demos
                     c = ' ';
             std::cerr << name << ": " << line << std::endl;
             return BAD_INPUT;
+        }
+
+        /** Refuse arguments without text, such as those of a variable of a script that is not set. */
+        void requireNoneEmpty(const CLI::App &command)
+        {
+            for (const CLI::Option *option : command.get_options())
+                for (const std::string &text : option->results())
+                    if (text.empty())
+                        throw CLI::ValidationError(option->get_name(), "is empty");
         }
 
         /** What is told of an error if no command was named: the one that was meant, if \e app has commands */
@@ -86,7 +96,13 @@ namespace demos
         try
         {
             app.parse(argc, argv);
-            return work();
+            requireNoneEmpty(parsedCommand(app));
+            const int result = work();
+            // A full disk shows in what is left to be written.
+            std::cout.flush();
+            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+                throw ompl::Exception("standard output", "cannot be written");
+            return result;
         }
         catch (const CLI::ParseError &e)
         {
@@ -136,17 +152,18 @@ namespace demos
             "TEXT", "ending");
     }
 
-    CLI::Validator countUpTo(unsigned long long limit)
+    CLI::Validator countUpTo(unsigned long long limit, unsigned long long least)
     {
         return CLI::Validator(
-            [limit](const std::string &text)
+            [limit, least](const std::string &text)
             {
                 // Digits alone: strtoull() would turn -1 into a very large number.
                 const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
                 if (digits && text.size() < 20)
-                    if (const unsigned long long value = std::stoull(text); value >= 1 && value <= limit)
+                    if (const unsigned long long value = std::stoull(text); value >= least && value <= limit)
                         return std::string();
-                return "must be a whole number from 1 to " + std::to_string(limit) + ", not '" + text + "'";
+                return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(limit) +
+                       ", not '" + text + "'";
             },
             "COUNT", "count");
     }

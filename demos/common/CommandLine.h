@@ -31,8 +31,8 @@ namespace demos
     /** \brief Accepts finite numbers above zero */
     CLI::Validator positiveNumber();
 
-    /** \brief Accepts whole numbers from 1 to \e limit */
-    CLI::Validator countUpTo(unsigned long long limit);
+    /** \brief Accepts whole numbers from \e least to \e limit */
+    CLI::Validator countUpTo(unsigned long long limit, unsigned long long least = 1);
 
     /** \brief Accepts names of files that end in \e ending, such as ".svg", or have no ending. Another ending promises
         a format that is not written. */

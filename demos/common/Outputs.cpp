@@ -51,7 +51,10 @@ namespace demos
             return first == second;
         if (fs::exists(first, error) && !fs::is_regular_file(first, error))
             return false;
-        return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
+        // Of a file that is not there weakly_canonical() may leave the folder out.
+        const auto whole = [&error](const std::string &file)
+        { return fs::weakly_canonical(fs::absolute(file, error), error); };
+        return whole(first) == whole(second);
     }
 
     void prepareOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,

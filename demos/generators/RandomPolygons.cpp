@@ -1,5 +1,6 @@
 #include "generators/RandomPolygons.h"
 
+#include "generators/SceneTexts.h"
 #include "generators/SeededRandom.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/scene/SceneFile.h"
@@ -76,12 +77,12 @@ namespace generators
             require(settings.obstacles <= 10000,
                     "obstacles: must be at most 10000, not " + std::to_string(settings.obstacles));
             require(settings.size >= 1e-3 && settings.size <= 1e6,
-                    "size: must be from 0.001 to 1000000, not " + std::to_string(settings.size));
+                    "size: must be from 0.001 to 1000000, not " + textOf(settings.size));
             require(settings.radius >= 1e-3 * settings.size && settings.radius <= 0.1 * settings.size,
-                    "radius: must be from a thousandth to a tenth of the size, not " + std::to_string(settings.radius));
+                    "radius: must be from a thousandth to a tenth of the size, not " + textOf(settings.radius));
             require(settings.smallest >= 0.005 && settings.smallest <= settings.largest && settings.largest <= 0.5,
                     "smallest and largest: must be ordered fractions from 0.005 to 0.5, not " +
-                        std::to_string(settings.smallest) + " and " + std::to_string(settings.largest));
+                        textOf(settings.smallest) + " and " + textOf(settings.largest));
         }
     }
 

@@ -27,7 +27,7 @@ namespace ompl_certificates
         scene are those of the request's workspace, enlarged to hold the obstacles and the arm's start and goal.
 
         Reading is strict, as of other scenes. What would change the plan and is not supported is an error: octomaps
-        that links may touch, padding, planes of attached bodies, other constraints; see docs/arms.md.
+        that links may touch, scales of links, planes of attached bodies, other constraints; see docs/arms.md.
         \param scene the file of the planning scene
         \param request the file of the motion plan request
         \param robot the robot; its name need not be that of the scene
