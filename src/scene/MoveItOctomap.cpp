@@ -14,14 +14,13 @@ namespace ompl_certificates
     namespace
     {
 #ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-        /** yaml-cpp takes some 650 bytes of memory for each. */
-        constexpr std::size_t MOST_BYTES = 5000000;
-
         /** Bytes as numbers, with or without a sign */
         std::string readBytes(const YamlNode &node)
         {
+            // yaml-cpp takes some 650 bytes of memory for each.
+            constexpr std::size_t most = 5000000;
             std::string bytes;
-            for (const YamlNode &item : node.items(0, MOST_BYTES))
+            for (const YamlNode &item : node.items(0, most))
             {
                 const double value = item.number();
                 if (!(value >= -128.0 && value <= 255.0 && value == std::floor(value)))
