@@ -1,18 +1,16 @@
 #include "YamlRobots.h"
 
+#include "KnownRobotType.h"
+#include "StateLayout.h"
 #include "YamlDynamics.h"
 #include "YamlGoal.h"
 #include "YamlPlanarArm.h"
 #include "YamlShapes.h"
-#include "geometry/Angle.h"
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/ConfinedRobot.h"
 #include "ompl_certificates/robots/RigidRobot.h"
-
-#include <boost/math/constants/constants.hpp>
-#include <cmath>
 
 namespace ompl_certificates
 {
@@ -20,101 +18,16 @@ namespace ompl_certificates
 
     namespace
     {
-        /** What the numbers of a start or a goal are */
-        enum class Layout
-        {
-            R2,
-            R3,
-            SE2,
-            SE3,
-            TRAILER
-        };
-
-        /** How many coordinates a layout has */
-        constexpr std::size_t COORDINATES[] = {2, 3, 3, 7, 4};
-
-        /** A kind of robot of db-CBS: its body, its states, and how many velocities its states list after the pose */
-        struct KnownType
-        {
-            const char *name;
-            Layout layout;
-            double size[2];  // a disc's radius and 0, or the sides of a box
-            std::size_t velocities;
-        };
-
-        constexpr double TRAILER_SIZE[] = {0.3, 0.25}, TRAILER_HITCH = 0.5;
-
-        constexpr KnownType KNOWN_TYPES[] = {
-            {"single_integrator", Layout::R2, {0.1, 0.0}, 0},
-            {"double_integrator", Layout::R2, {0.15, 0.0}, 2},
-            {"unicycle_first_order", Layout::SE2, {0.5, 0.25}, 0},
-            {"unicycle_first_order_sphere", Layout::SE2, {0.4, 0.0}, 0},
-            {"unicycle_second_order", Layout::SE2, {0.5, 0.25}, 2},
-            {"car_first_order", Layout::SE2, {0.5, 0.25}, 0},
-            {"car_first_order_with_1_trailers", Layout::TRAILER, {0.5, 0.25}, 0},
-        };
-
-        /** The type of that name; db-CBS writes the version "_0" into most of them, and not into some. */
-        const KnownType *findType(std::string name)
-        {
-            const std::size_t version = name.find("_0");
-            if (version != std::string::npos && version > 0 && (version + 2 == name.size() || name[version + 2] == '_'))
-                name.erase(version, 2);
-            for (const KnownType &type : KNOWN_TYPES)
-                if (name == type.name)
-                    return &type;
-            return nullptr;
-        }
-
-        /** The pose that \e node lists; the velocities that follow it are left out unless they are to be kept */
-        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, bool keepVelocities)
-        {
-            const std::size_t count = COORDINATES[static_cast<std::size_t>(layout)];
-            std::vector<double> state = node.numbers(count + velocities);
-            if (!keepVelocities)
-                state.resize(count);
-            if (layout == Layout::SE2 || layout == Layout::TRAILER)
-                for (std::size_t i = 2; i < count; ++i)
-                {
-                    if (std::abs(state[i]) > boost::math::constants::two_pi<double>())
-                        node.note(ANGLE_NOTE);
-                    state[i] = wrappedAngle(state[i]);
-                }
-            if (layout == Layout::SE3)
-            {
-                const double norm = Eigen::Map<const Eigen::Vector4d>(state.data() + 3).norm();
-                if (!(norm >= YamlNode::MIN_SIZE))
-                    node.fail("the quaternion (numbers 4 to 7) must not be zero");
-                for (std::size_t i = 3; i < count; ++i)
-                    state[i] /= norm;
-                if (std::abs(norm - 1.0) > 1e-3)
-                    node.note("the quaternion was normalised, its norm was " + std::to_string(norm));
-            }
-            return state;
-        }
-
-        Layout readSpace(const YamlNode &node, unsigned int dimension)
-        {
-            const std::string name = node.text();
-            if (dimension == 2 && name == "R2")
-                return Layout::R2;
-            if (dimension == 2 && (name == "SE2" || name == "ReedsShepp"))
-                return Layout::SE2;
-            if (dimension == 3 && (name == "R3" || name == "SE3"))
-                return name == "R3" ? Layout::R3 : Layout::SE3;
-            node.fail(std::string("must be ") + (dimension == 2 ? "R2, SE2 or ReedsShepp" : "R3 or SE3") + " in " +
-                      std::to_string(dimension) + " dimensions, not '" + name + "'");
-        }
-
-        RobotPtr makeRigid(const std::string &name, Layout layout, const Body &body, const ob::RealVectorBounds &bounds)
+        RobotPtr makeRigid(const std::string &name, StateLayout layout, const Body &body,
+                           const ob::RealVectorBounds &bounds)
         {
             switch (layout)
             {
-                case Layout::R2:
+                case StateLayout::R2:
                     return RigidRobot::inR2(name, body, bounds);
-                case Layout::R3:
+                case StateLayout::R3:
                     return RigidRobot::inR3(name, body, bounds);
-                case Layout::SE3:
+                case StateLayout::SE3:
                     return RigidRobot::inSE3(name, body, bounds);
                 default:
                     return RigidRobot::inSE2(name, body, bounds);
@@ -122,7 +35,7 @@ namespace ompl_certificates
         }
 
         /** A body that moves as "space" says */
-        RobotPtr makeRigid(const std::string &name, const YamlNode &node, Layout layout, const Body &body,
+        RobotPtr makeRigid(const std::string &name, const YamlNode &node, StateLayout layout, const Body &body,
                            const ob::RealVectorBounds &bounds)
         {
             const std::string space = node.at("space").text();
@@ -133,12 +46,14 @@ namespace ompl_certificates
             return makeRigid(name, layout, body, bounds);
         }
 
-        RobotPtr makeKnown(const std::string &name, const KnownType &type, double padding,
+        constexpr double TRAILER_SIZE[] = {0.3, 0.25}, TRAILER_HITCH = 0.5;
+
+        RobotPtr makeKnown(const std::string &name, const KnownRobotType &type, double padding,
                            const ob::RealVectorBounds &bounds)
         {
             const Body shape = type.size[1] > 0.0 ? Body::box(type.size[0], type.size[1]) : Body::disc(type.size[0]);
             const Body body = shape.padded(padding);
-            if (type.layout == Layout::TRAILER)
+            if (type.layout == StateLayout::TRAILER)
                 return std::make_shared<CarWithTrailer>(
                     name, body, Body::box(TRAILER_SIZE[0], TRAILER_SIZE[1]).padded(padding), TRAILER_HITCH, bounds);
             return makeRigid(name, type.layout, body, bounds);
@@ -162,24 +77,17 @@ namespace ompl_certificates
             robot.at("goal").orFail([&] { member.chooseGoal(); });
         }
 
-        std::vector<std::string> namesOfKnownTypes()
-        {
-            std::vector<std::string> names;
-            for (const KnownType &type : KNOWN_TYPES)
-                names.emplace_back(type.name);
-            return names;
-        }
-
         [[noreturn]] void failOnDynamics(const YamlNode &node)
         {
-            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + joined(namesOfKnownTypes()));
+            node.fail("'" + node.text() +
+                      "' has no dynamics; types that have are: " + joined(namesOfKnownRobotTypes()));
         }
 
-        void noteWithoutDynamics(const KnownType &type, const std::string &name, Scene &scene)
+        void noteWithoutDynamics(const KnownRobotType &type, const std::string &name, Scene &scene)
         {
             if (type.velocities > 0)
                 scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
-            if (type.layout != Layout::R2)
+            if (type.layout != StateLayout::R2)
                 scene.addNote("robot '" + name + "' may move in any direction: plans are geometric");
         }
 
@@ -205,14 +113,14 @@ namespace ompl_certificates
         }
 
         /** Read start and goal of a robot whose states are a \e layout and \e velocities, which plans may leave out. */
-        void readEnds(const RobotInput &input, Layout layout, std::size_t velocities, Scene::Member &member)
+        void readEnds(const RobotInput &input, StateLayout layout, std::size_t velocities, Scene::Member &member)
         {
-            member.start = readState(input.node.at("start"), layout, velocities, input.dynamics);
+            member.start = readStateNumbers(input.node.at("start"), layout, velocities, input.dynamics);
             const YamlNode goal = input.node.at("goal");
             if (goal.isMap() && input.dynamics)
                 goal.fail("must be a list: with dynamics the goal is one state");
             const auto readOne = [&](const YamlNode &node)
-            { return readState(node, layout, velocities, input.dynamics); };
+            { return readStateNumbers(node, layout, velocities, input.dynamics); };
             const auto readRegion = [&](const YamlNode &node)
             { return node.isMap() ? readZone(node, member.robot) : nullptr; };
             readGoal(goal, readOne, readRegion, member);
@@ -221,7 +129,7 @@ namespace ompl_certificates
         void readRigidRobot(const RobotInput &input, Scene::Member &member)
         {
             const unsigned int dimension = input.scene.getDimension();
-            const Layout layout = readSpace(input.node.at("space"), dimension);
+            const StateLayout layout = readLayout(input.node.at("space"), dimension);
             const Body body = readBody(input.node, dimension, input.meshes).padded(readPadding(input.node));
             member.robot = confined(makeRigid(input.name, input.node, layout, body, input.bounds), input);
             readEnds(input, layout, 0, member);
@@ -230,7 +138,7 @@ namespace ompl_certificates
         void readCarWithTrailer(const RobotInput &input, Scene::Member &member)
         {
             member.robot = confined(makeCarWithTrailer(input.name, input.node, input.meshes, input.bounds), input);
-            readEnds(input, Layout::TRAILER, 0, member);
+            readEnds(input, StateLayout::TRAILER, 0, member);
         }
 
         void readPlanarArm(const RobotInput &input, Scene::Member &member)
@@ -245,7 +153,7 @@ namespace ompl_certificates
 
         void readKnownRobot(const RobotInput &input, Scene::Member &member)
         {
-            const KnownType &known = *findType(input.node.at("type").text());
+            const KnownRobotType &known = *findKnownRobotType(input.node.at("type").text());
             member.robot = confined(makeKnown(input.name, known, readPadding(input.node), input.bounds), input);
             if (input.dynamics)
                 member.robot = withDynamics(known.name, member.robot);
@@ -320,7 +228,7 @@ namespace ompl_certificates
                 false,
                 readKnownRobot};
             const std::string name = node.text();
-            if (findType(name))
+            if (findKnownRobotType(name))
                 return known;
             std::vector<std::string> names;
             for (const RobotType &type : ownTypes())
@@ -329,7 +237,7 @@ namespace ompl_certificates
                     return type;
                 names.push_back(type.name);
             }
-            for (const std::string &other : namesOfKnownTypes())
+            for (const std::string &other : namesOfKnownRobotTypes())
                 names.push_back(other);
             node.fail("unknown type '" + name + "'; known are: " + joined(names) + didYouMean(name, names));
         }
@@ -397,7 +305,7 @@ namespace ompl_certificates
         const YamlNode typeNode = node.at("type");
         const RobotType &type = robotTypeOf(typeNode);
         node.allow(type.keys);
-        if (dynamics && !findType(typeNode.text()))
+        if (dynamics && !findKnownRobotType(typeNode.text()))
             failOnDynamics(typeNode);
         checkWorkspace(typeNode, type, scene.getDimension());
         const RobotInput input{node, robotNameOf(node, scene), boundsOf(node, type, scene), dynamics, scene, meshes,
