@@ -3,17 +3,14 @@
 #include "geometry/Angle.h"
 #include "geometry/ShortestText.h"
 #include "robots/JointTypes.h"
-#include "LineReader.h"
+#include "YamlAttached.h"
 #include "YamlGoal.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <sstream>
-#include <type_traits>
 
 namespace ompl_certificates
 {
@@ -23,16 +20,7 @@ namespace ompl_certificates
         using JointType = KinematicTree::JointType;
         using Values = std::map<std::string, double>;
 
-        constexpr std::size_t MAX_ATTACHED = 100, MAX_LINK_NAMES = 1000, MAX_COORDINATES = Arm::MAX_JOINTS;
-
-        Pose readPose(const YamlNode &node)
-        {
-            Pose pose = Pose::Identity();
-            if (node.has("position"))
-                pose.translation() = Eigen::Map<const Eigen::Vector3d>(node.at("position").numbers(3).data());
-            pose.linear() = readRotation(node);
-            return pose;
-        }
+        constexpr std::size_t MAX_COORDINATES = Arm::MAX_JOINTS;
 
         bool hasOneValue(const Joint &joint)
         {
@@ -138,7 +126,7 @@ namespace ompl_certificates
             if (!robot.has("base"))
                 return Pose::Identity();
             robot.at("base").allow({"position", "rotation", "quaternion"});
-            return readPose(robot.at("base"));
+            return readFrame(robot.at("base"));
         }
 
         std::string groupOf(const YamlNode &robot)
@@ -172,62 +160,6 @@ namespace ompl_certificates
             const ompl::base::RealVectorBounds own = readBounds(node, static_cast<unsigned int>(bounds.low.size()));
             if (own.low != bounds.low || own.high != bounds.high)
                 node.fail("must be those of '" + first + "', which has the same file and base");
-        }
-
-        std::vector<std::string> readTouchLinks(const YamlNode &node)
-        {
-            std::vector<std::string> links;
-            if (node.has("touch_links"))
-                for (const YamlNode &link : node.at("touch_links").items(0, MAX_LINK_NAMES))
-                    links.push_back(link.text());
-            return links;
-        }
-
-        AttachedBody readAttached(const YamlNode &node, YamlMeshes &meshes)
-        {
-            node.allow({"name", "link", "shape", "shapes", "position", "rotation", "quaternion", "touch_links"});
-            return {node.at("name").text(), node.at("link").text(), readBody(node, 3, meshes), readPose(node),
-                    readTouchLinks(node)};
-        }
-
-        TouchableObstacle readTouchable(const YamlNode &node, YamlMeshes &meshes)
-        {
-            node.allow({"name", "shape", "shapes", "position", "rotation", "quaternion", "touch_links"});
-            return {node.at("name").text(), readBody(node, 3, meshes), readPose(node), readTouchLinks(node)};
-        }
-
-        /** Whether two bodies or obstacles of one name are the same */
-        template <typename Named>
-        bool areEqual(const Named &a, const Named &b)
-        {
-            if constexpr (std::is_same_v<Named, AttachedBody>)
-                if (a.link != b.link)
-                    return false;
-            return a.body == b.body && a.pose.matrix() == b.pose.matrix() && a.touchLinks == b.touchLinks;
-        }
-
-        /** Add the bodies of a robot, or its obstacles, to those of other parts of its mechanism, which may name the
-            same ones.
-            \param what what messages call one of them */
-        template <typename Named>
-        void addNamed(const YamlNode &list, const std::string &what,
-                      Named (*read)(const YamlNode &node, YamlMeshes &meshes), YamlMeshes &meshes,
-                      std::vector<Named> &all)
-        {
-            std::set<std::string> own;
-            for (const YamlNode &item : list.items(0, MAX_ATTACHED))
-            {
-                Named next = read(item, meshes);
-                if (!own.insert(next.name).second)
-                    item.at("name").fail("there is another " + what + " '" + next.name + "'");
-                const auto same =
-                    std::find_if(all.begin(), all.end(), [&](const Named &other) { return other.name == next.name; });
-                if (same == all.end())
-                    all.push_back(std::move(next));
-                else if (!areEqual(*same, next))
-                    item.at("name").fail("another robot of the same file and base has another " + what + " '" +
-                                         next.name + "'");
-            }
         }
     }
 
@@ -378,13 +310,15 @@ namespace ompl_certificates
                 requireBounds(node.at("bounds"), bounds, names.front().name);
             readJointValues(node, movers, settings.jointValues);
             if (node.has("attached"))
-                addNamed(node.at("attached"), "attached body", readAttached, meshes, settings.attached);
+                readAttached(node.at("attached"), meshes, settings.attached);
             if (node.has("touchable"))
-                addNamed(node.at("touchable"), "touchable obstacle", readTouchable, meshes, settings.touchable);
+                readTouchable(node.at("touchable"), meshes, settings.touchable);
             readPaddings(node, part == parts.front() ? nullptr : &names.front().name, settings);
             if (node.has("may_touch_obstacles"))
-                for (const YamlNode &link : node.at("may_touch_obstacles").items(0, MAX_LINK_NAMES))
-                    settings.mayTouchObstacles.push_back(link.text());
+            {
+                const std::vector<std::string> links = readLinkNames(node.at("may_touch_obstacles"));
+                settings.mayTouchObstacles.insert(settings.mayTouchObstacles.end(), links.begin(), links.end());
+            }
         }
         std::vector<std::string> notes;
         const auto arms = first.orFail([&] { return file.makeArms(names, settings, &notes); });

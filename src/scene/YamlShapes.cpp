@@ -180,6 +180,15 @@ namespace ompl_certificates
         return Eigen::Matrix3d::Identity();
     }
 
+    Pose readFrame(const YamlNode &node)
+    {
+        Pose pose = Pose::Identity();
+        if (node.has("position"))
+            pose.translation() = pointOf(node.at("position").numbers(3));
+        pose.linear() = readRotation(node);
+        return pose;
+    }
+
     Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter)
     {
         Pose pose = Pose::Identity();

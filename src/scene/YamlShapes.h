@@ -22,6 +22,9 @@ namespace ompl_certificates
     /** \brief What \e node has under rotation or under quaternion; no rotation if it has neither */
     Eigen::Matrix3d readRotation(const YamlNode &node);
 
+    /** \brief Where a frame is in space: what \e node has under position, and under rotation or quaternion */
+    Pose readFrame(const YamlNode &node);
+
     /** \brief What \e node has under center, and under angle, rotation or quaternion
         \param needsCenter whether the center must be given: for shapes that say nothing else of their place */
     Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter);
