@@ -13,7 +13,6 @@
 #include <cmath>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
-#include <set>
 
 namespace ompl_certificates
 {
@@ -43,13 +42,6 @@ namespace ompl_certificates
             for (const auto &[key, value] : map)
                 keys.push_back(key);
             return keys;
-        }
-
-        void remove(std::vector<LinkPair> &pairs, const std::set<LinkPair> &removed)
-        {
-            pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                                       [&](const LinkPair &pair) { return removed.count(pair) > 0; }),
-                        pairs.end());
         }
 
         /** Tell of values that do not count, since their joints follow others that stand elsewhere. Messages of MoveIt
@@ -83,33 +75,12 @@ namespace ompl_certificates
             }
         }
 
-        /** Drop the pairs that never move towards each other.
-            \return those of them that collide, in all states */
-        std::vector<LinkPair> dropPairsThatStay(const Arm &arm, std::vector<LinkPair> &pairs)
+        /** Tell which pairs are left without an SRDF file.
+            \param always those that were dropped, since they collided in all random states */
+        void notePairs(const std::string &title, std::size_t left, const std::vector<LinkPair> &always,
+                       std::vector<std::string> &notes)
         {
-            std::set<LinkPair> apart;
-            std::vector<LinkPair> together;
-            for (const auto &[pair, collides] : pairsThatStay(arm))
-                if (collides)
-                    together.push_back(pair);
-                else
-                    apart.insert(pair);
-            remove(pairs, apart);
-            return together;
-        }
-
-        /** Drop the pairs that collide in all random states, but none of an obstacle, and note which pairs are left.
-            \param staying those that collide without moving */
-        void dropPairsThatAlwaysCollide(const std::string &title, const Arm &arm, const std::vector<LinkPair> &staying,
-                                        const std::vector<TouchableObstacle> &obstacles, std::vector<LinkPair> &pairs,
-                                        std::vector<std::string> &notes)
-        {
-            std::vector<LinkPair> always = pairsThatAlwaysCollide(arm, {staying.begin(), staying.end()});
-            always.erase(std::remove_if(always.begin(), always.end(),
-                                        [&](const LinkPair &pair) { return isOfAny(obstacles, pair); }),
-                         always.end());
-            remove(pairs, {always.begin(), always.end()});
-            notes.push_back(title + ": without an SRDF file, " + std::to_string(pairs.size()) +
+            notes.push_back(title + ": without an SRDF file, " + std::to_string(left) +
                             " pairs of links are checked against each other" +
                             (always.empty() ? "" : "; these collided in all random states and are not: ") +
                             listOfPairs(always));
@@ -294,7 +265,11 @@ namespace ompl_certificates
         const Arm all(title, tree, joints, options);
         const std::vector<LinkPair> staying = dropPairsThatStay(all, options.linkPairs);
         if (isSampled(settings))
-            dropPairsThatAlwaysCollide(title, all, staying, settings.touchable, options.linkPairs, notes);
+        {
+            const std::vector<LinkPair> always =
+                dropPairsThatAlwaysCollide(all, staying, settings.touchable, options.linkPairs);
+            notePairs(title, options.linkPairs.size(), always, notes);
+        }
         else if (!staying.empty())
             notes.push_back(title + ": these links collide in all states, and " +
                             (settings.mayTouch ? "may not: " : "the SRDF file does not allow it: ") +

@@ -1,6 +1,7 @@
 #include "TouchRules.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -10,6 +11,13 @@ namespace ompl_certificates
         {
             return std::any_of(obstacles.begin(), obstacles.end(),
                                [&](const TouchableObstacle &obstacle) { return obstacle.name == name; });
+        }
+
+        void remove(std::vector<LinkPair> &pairs, const std::set<LinkPair> &removed)
+        {
+            pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                                       [&](const LinkPair &pair) { return removed.count(pair) > 0; }),
+                        pairs.end());
         }
     }
 
@@ -51,5 +59,30 @@ namespace ompl_certificates
                     std::find(free.begin(), free.end(), link.name) == free.end())
                     pairs.emplace_back(link.name, obstacle.name);
         }
+    }
+
+    std::vector<LinkPair> dropPairsThatStay(const Arm &arm, std::vector<LinkPair> &pairs)
+    {
+        std::set<LinkPair> apart;
+        std::vector<LinkPair> together;
+        for (const auto &[pair, collides] : pairsThatStay(arm))
+            if (collides)
+                together.push_back(pair);
+            else
+                apart.insert(pair);
+        remove(pairs, apart);
+        return together;
+    }
+
+    std::vector<LinkPair> dropPairsThatAlwaysCollide(const Arm &arm, const std::vector<LinkPair> &staying,
+                                                     const std::vector<TouchableObstacle> &obstacles,
+                                                     std::vector<LinkPair> &pairs)
+    {
+        std::vector<LinkPair> always = pairsThatAlwaysCollide(arm, {staying.begin(), staying.end()});
+        always.erase(std::remove_if(always.begin(), always.end(),
+                                    [&](const LinkPair &pair) { return isOfAny(obstacles, pair); }),
+                     always.end());
+        remove(pairs, {always.begin(), always.end()});
+        return always;
     }
 }

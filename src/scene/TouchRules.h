@@ -19,6 +19,17 @@ namespace ompl_certificates
     /** \brief Add the pairs of each obstacle and the links that must not touch it. Those in \e free may touch all. */
     void addPairs(const std::vector<TouchableObstacle> &obstacles, const KinematicTree &tree,
                   const std::vector<std::string> &free, std::vector<LinkPair> &pairs);
+
+    /** \brief Drop the pairs that never move towards each other.
+        \return those of them that collide, in all states; they stay */
+    std::vector<LinkPair> dropPairsThatStay(const Arm &arm, std::vector<LinkPair> &pairs);
+
+    /** \brief Drop the pairs that collide in all random states, but none of an obstacle.
+        \param staying those that collide without moving
+        \return those that were dropped */
+    std::vector<LinkPair> dropPairsThatAlwaysCollide(const Arm &arm, const std::vector<LinkPair> &staying,
+                                                     const std::vector<TouchableObstacle> &obstacles,
+                                                     std::vector<LinkPair> &pairs);
 }
 
 #endif
