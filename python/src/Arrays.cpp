@@ -33,8 +33,8 @@ namespace ompl_certificates_python
                 throw ompl::Exception(what, "must not be a masked array; take the rows that count");
         }
 
-        /** The rotation of a quaternion or matrix that may be rounded, made exact */
-        Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion, const std::string &what = "pose")
+        /** The rotation of a quaternion that may be rounded, made exact */
+        Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion, const std::string &what)
         {
             if (!(std::abs(quaternion.norm() - 1.0) <= Rotations::QUATERNION_ROUNDING))
                 throw ompl::Exception(what,
@@ -42,10 +42,11 @@ namespace ompl_certificates_python
             return quaternion.normalized().toRotationMatrix();
         }
 
-        Eigen::Matrix3d rotationOf(const Eigen::Matrix3d &matrix)
+        /** The same of a matrix; \e which says what must be a rotation. */
+        Eigen::Matrix3d rotationOf(const Eigen::Matrix3d &matrix, const std::string &what, const std::string &which)
         {
             if (!((matrix * matrix.transpose()).isIdentity(1e-6) && matrix.determinant() > 0.0))
-                throw ompl::Exception("pose", "the upper left 3 × 3 numbers of a matrix must be a rotation");
+                throw ompl::Exception(what, which + " must be a rotation");
             return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
         }
 
@@ -77,7 +78,8 @@ namespace ompl_certificates_python
             if (matrix.row(3) != Eigen::RowVector4d::UnitW())
                 throw ompl::Exception("pose", "the last row of a matrix must be 0, 0, 0, 1");
             Pose pose = poseAt(matrix.topRightCorner<3, 1>());
-            pose.linear() = rotationOf(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()));
+            pose.linear() =
+                rotationOf(matrix.topLeftCorner<3, 3>(), "pose", "the upper left 3 × 3 numbers of a matrix");
             return pose;
         }
     }
@@ -265,7 +267,7 @@ namespace ompl_certificates_python
         {
             Pose pose = poseAt({p[0], p[1], p[2]});
             if (array.size() == 7)
-                pose.linear() = rotationOf(Eigen::Quaterniond(p[6], p[3], p[4], p[5]));
+                pose.linear() = rotationOf(Eigen::Quaterniond(p[6], p[3], p[4], p[5]), "pose");
             return pose;
         }
         if (array.ndim() == 2 && array.shape(0) == 4 && array.shape(1) == 4)
@@ -294,9 +296,7 @@ namespace ompl_certificates_python
             throw ompl::Exception("rotation",
                                   "must be (qx, qy, qz, qw) or a 3 × 3 matrix, not of shape " + shapeOf(array));
         const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(numbers);
-        if (!((matrix * matrix.transpose()).isIdentity(1e-6) && matrix.determinant() > 0.0))
-            throw ompl::Exception("rotation", "the matrix must be a rotation");
-        return Eigen::Quaterniond(Eigen::Matrix3d(matrix)).normalized().toRotationMatrix();
+        return rotationOf(matrix, "rotation", "the matrix");
     }
 
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high)
