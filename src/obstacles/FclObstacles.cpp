@@ -61,10 +61,31 @@ namespace ompl_certificates
             }
             return shapes;
         }
+
+        /** The meshes of some shapes, and where they are */
+        std::vector<std::pair<const TriangleMesh *, Eigen::Matrix4d>> meshesOf(const PlacedShapes &shapes)
+        {
+            std::vector<std::pair<const TriangleMesh *, Eigen::Matrix4d>> meshes;
+            for (const auto &[shape, pose] : shapes)
+                if (const TriangleMesh *mesh = shape.getMesh())
+                    meshes.emplace_back(mesh, pose.matrix());
+            return meshes;
+        }
     }
 
     FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension,
                                const ZInterval &zInterval)
+      : FclObstacles(obstacles, dimension, zInterval, nullptr)
+    {
+    }
+
+    FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, const FclObstacles &known)
+      : FclObstacles(obstacles, known.dimension_, known.zInterval_, &known)
+    {
+    }
+
+    FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension,
+                               const ZInterval &zInterval, const FclObstacles *known)
       : dimension_(dimension), zInterval_(zInterval), bodies_(obstacles), clearances_(std::make_unique<ClearanceTree>())
     {
         const PlacedShapes shapes = placed(obstacles, dimension);
@@ -72,7 +93,11 @@ namespace ompl_certificates
             if (!isMesh(shape))
                 clearances_->add(shape.shape, shape.pose);
         clearances_->build();
-        surface_ = std::make_unique<MeshSurface>(shapes, dimension, zInterval);
+        // The bodies of both keep their meshes, so equal addresses are those of one mesh.
+        if (known && meshesOf(shapes) == meshesOf(placed(known->bodies_, dimension)))
+            surface_ = known->surface_;
+        else
+            surface_ = std::make_shared<MeshSurface>(shapes, dimension, zInterval);
 
         // In the plane, primitives are checked against meshes as prisms of the meshes' height.
         double prismHeight = 0.0;
@@ -94,6 +119,11 @@ namespace ompl_certificates
     }
 
     FclObstacles::~FclObstacles() = default;
+
+    void FclObstacles::requireObstacle(const PlacedBody &obstacle, unsigned int dimension)
+    {
+        placed({obstacle}, dimension);
+    }
 
     bool FclObstacles::collides(const Body &body, const Pose &pose) const
     {

@@ -7,14 +7,8 @@
 namespace ompl_certificates
 {
     ObstacleSet::ObstacleSet(unsigned int dimension, const ZInterval &zInterval)
-      : dimension_(dimension), zInterval_(zInterval)
+      : dimension_(dimension), after_(std::make_shared<FclObstacles>(std::vector<PlacedBody>(), dimension, zInterval))
     {
-        make({});
-    }
-
-    ObstaclesPtr ObstacleSet::make(const std::vector<PlacedBody> &obstacles) const
-    {
-        return std::make_shared<FclObstacles>(obstacles, dimension_, zInterval_);
     }
 
     std::map<ObstacleSet::Id, PlacedBody>::iterator ObstacleSet::find(Id obstacle)
@@ -28,7 +22,7 @@ namespace ompl_certificates
     ObstacleSet::Id ObstacleSet::add(const PlacedBody &obstacle)
     {
         // Refuse a bad obstacle here, not when the change is taken.
-        make({obstacle});
+        FclObstacles::requireObstacle(obstacle, dimension_);
         obstacles_.emplace(next_, obstacle);
         return next_++;
     }
@@ -36,7 +30,7 @@ namespace ompl_certificates
     void ObstacleSet::move(Id obstacle, const Pose &pose)
     {
         PlacedBody &moved = find(obstacle)->second;
-        make({{moved.body, pose}});
+        FclObstacles::requireObstacle({moved.body, pose}, dimension_);
         moved.pose = pose;
     }
 
@@ -70,18 +64,20 @@ namespace ompl_certificates
         for (const auto &[id, obstacle] : taken_)
             if (!isIn(obstacles_, id, obstacle.pose))
                 removed.push_back(obstacle);
-        if (after_ && added.empty() && removed.empty())
+        if (isTaken_ && added.empty() && removed.empty())
             return {after_, nullptr, nullptr, {}, after_};
         std::map<Id, PlacedBody> taken = obstacles_;
+        const auto after = std::make_shared<FclObstacles>(all, *after_);
         ObstacleChange change;
-        change.after = make(all);
+        change.after = after;
         if (!added.empty())
-            change.added = make(added);
+            change.added = std::make_shared<FclObstacles>(added, *after);
         if (!removed.empty())
-            change.removed = make(removed);
+            change.removed = std::make_shared<FclObstacles>(removed, *after_);
         taken_.swap(taken);
-        change.before = after_ ? after_ : make({});
-        after_ = change.after;
+        change.before = after_;
+        after_ = after;
+        isTaken_ = true;
         return change;
     }
 }

@@ -38,6 +38,11 @@ namespace ompl_certificates
             three decimals: the nearest true one is taken. */
         FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension, const ZInterval &zInterval = {});
 
+        /** \brief Other obstacles in the workspace of \e known, with its z-interval. If their meshes are those of
+            \e known, at the same places, this takes no time for them, and their triangles are shared.
+            \throws ompl::Exception as the first constructor */
+        FclObstacles(const std::vector<PlacedBody> &obstacles, const FclObstacles &known);
+
         /** \brief Obstacles from the collision objects of an FCL program, at their present poses: spheres, boxes,
             capsules, cylinders, convex polytopes and meshes (fcl::BVHModel of OBBRSS or OBB).
 
@@ -49,6 +54,10 @@ namespace ompl_certificates
                               unsigned int dimension = 3, const ZInterval &zInterval = {});
 
         ~FclObstacles() override;
+
+        /** \brief Ask whether the first constructor takes an obstacle; costs nothing
+            \throws ompl::Exception if not */
+        static void requireObstacle(const PlacedBody &obstacle, unsigned int dimension);
 
         unsigned int getDimension() const override
         {
@@ -115,6 +124,9 @@ namespace ompl_certificates
         }
 
     private:
+        FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension, const ZInterval &zInterval,
+                     const FclObstacles *known);
+
         /** \brief FCL's view of the obstacles. It is made when it is first asked for: that takes most of the time and
             memory of a mesh, and the contact test leaves FCL little to do. */
         const FclCheck &fclCheck() const;
@@ -124,7 +136,7 @@ namespace ompl_certificates
         std::vector<PlacedBody> bodies_;
 
         std::unique_ptr<ClearanceTree> clearances_;
-        std::unique_ptr<MeshSurface> surface_;
+        std::shared_ptr<const MeshSurface> surface_;
         std::unique_ptr<PrimitiveList> primitives_;
         mutable std::once_flag fclCheckMade_;
         mutable std::unique_ptr<const FclCheck> fclCheck_;
