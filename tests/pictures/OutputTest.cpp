@@ -1,6 +1,5 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/pictures/PathFile.h"
-#include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "files/WholeFile.h"
 #include "support/ArmTexts.h"
@@ -14,8 +13,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
 #include <ompl/util/Exception.h>
 #include <set>
 #include <sstream>
@@ -46,129 +44,10 @@ namespace ompl_certificates
             const test::Folder folder_;
         };
 
-        using Points = std::vector<std::pair<double, double>>;
-        using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
-
-        std::string digestOf(const Points &points, const Edges &edges)
-        {
-            auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-            space->setBounds(-10.0, 10.0);
-            auto si = std::make_shared<ob::SpaceInformation>(space);
-            si->setStateValidityChecker([](const ob::State *) { return true; });
-            si->setup();
-            std::vector<ob::ScopedState<>> states;
-            ob::PlannerData data(si);
-            for (const auto &[x, y] : points)
-            {
-                states.emplace_back(space);
-                states.back()[0] = x;
-                states.back()[1] = y;
-            }
-            std::vector<unsigned int> index;
-            for (const auto &state : states)
-                index.push_back(data.addVertex(ob::PlannerDataVertex(state.get())));
-            for (const auto &[from, to] : edges)
-                data.addEdge(index[from], index[to]);
-            return treeDigest(data);
-        }
-
         Scene sceneOf(const std::string &name)
         {
             return loadScene((fs::path(OMPL_CERTIFICATES_SOURCE_DIR) / "demos" / "scenes" / name).string());
         }
-    }
-
-    TEST(TreeDigest, DependsOnTheTreeAlone)
-    {
-        const std::string digest = digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}, {1, 2}});
-        EXPECT_EQ(digest.size(), 16u);
-        EXPECT_EQ(digest.find_first_not_of("0123456789abcdef"), std::string::npos);
-        EXPECT_EQ(digestOf({{1, 2}, {0, 0}, {1, 0}}, {{2, 0}, {1, 2}}), digest);
-        EXPECT_EQ(digestOf({{-0.0, 0}, {1, -0.0}, {1, 2}}, {{0, 1}, {1, 2}}), digest);
-
-        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{1, 0}, {1, 2}}), digest);
-        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}, {0, 2}}), digest);
-        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}}), digest);
-        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2.0000000000000004}}, {{0, 1}, {1, 2}}), digest);
-        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}, {1, 2}}, {{0, 1}, {1, 2}}), digest);
-        EXPECT_EQ(digestOf({}, {}).size(), 16u);
-    }
-
-    TEST(TreeDigest, DoesNotDependOnTheOrderOfEqualStates)
-    {
-        EXPECT_EQ(digestOf({{0, 0}, {0, 0}, {1, 2}}, {{0, 2}}), digestOf({{0, 0}, {0, 0}, {1, 2}}, {{1, 2}}));
-    }
-
-    TEST_F(Output, ReportHasItsKeysInOrder)
-    {
-        PlanReport report;
-        report.scene = "a \"scene\"\xff";
-        report.seed = 18446744073709551615u;
-        report.checks.robotPoses = 7;
-        report.write(file("report.json"));
-        const auto json = nlohmann::ordered_json::parse(readWholeFile(file("report.json")));
-        const auto keysOf = [](const nlohmann::ordered_json &object)
-        {
-            std::string keys;
-            for (const auto &item : object.items())
-                keys += item.key() + " ";
-            return keys;
-        };
-        EXPECT_EQ(keysOf(json),
-                  "scene planner method motion objective seed solved approximate reason cost "
-                  "simplified_cost unproved_motions unseen_motions collision iterations tree checks seconds ");
-        EXPECT_TRUE(json["reason"].is_null());
-        EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
-        EXPECT_EQ(keysOf(json["checks"]),
-                  "robot_poses certified_free certified_colliding asked asked_colliding by_clearances by_contact exact "
-                  "clearance_queries contact_tests exact_calls pair_poses pair_exact motions motion_samples "
-                  "motion_samples_skipped certificates ");
-        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest first_solution simplifying ");
-        EXPECT_TRUE(json["seconds"]["nearest"].is_null());
-        EXPECT_TRUE(json["seconds"]["simplifying"].is_null());
-        EXPECT_TRUE(json["cost"].is_null());
-        EXPECT_TRUE(json["simplified_cost"].is_null());
-        EXPECT_TRUE(json["unproved_motions"].is_null());
-        EXPECT_TRUE(json["collision"].is_null());
-        EXPECT_EQ(json["seed"], 18446744073709551615u);
-        EXPECT_EQ(json["checks"]["robot_poses"], 7);
-        EXPECT_EQ(fileCount(), 1u);
-
-        report.nearestSeconds = 0.5;
-        EXPECT_EQ(nlohmann::json::parse(report.toJson())["seconds"]["nearest"], 0.5);
-        report.solved = true;
-        report.cost = 2.5;
-        EXPECT_EQ(nlohmann::json::parse(report.toJson())["cost"], 2.5);
-        report.cost = std::numeric_limits<double>::infinity();
-        EXPECT_TRUE(nlohmann::json::parse(report.toJson())["cost"].is_null());
-    }
-
-    namespace
-    {
-        /** All keys of a JSON object; keys of nested objects with a dot */
-        std::set<std::string> keysOf(const nlohmann::json &object, const std::string &prefix = "")
-        {
-            std::set<std::string> keys;
-            for (const auto &[key, value] : object.items())
-                if (value.is_object())
-                    keys.merge(keysOf(value, prefix + key + "."));
-                else
-                    keys.insert(prefix + key);
-            return keys;
-        }
-    }
-
-    TEST(PlanReport, HasTheKeysOfItsPageAndNoOthers)
-    {
-        const std::string page = readWholeFile(OMPL_CERTIFICATES_SOURCE_DIR "/docs/plan-team.md");
-        std::istringstream lines(page.substr(page.find("## The report")));
-        std::set<std::string> explained;
-        for (std::string line; std::getline(lines, line);)
-            if (line.compare(0, 3, "| `") == 0)
-            {
-                EXPECT_TRUE(explained.insert(line.substr(3, line.find('`', 3) - 3)).second) << line;
-            }
-        EXPECT_EQ(explained, keysOf(nlohmann::json::parse(PlanReport().toJson())));
     }
 
     TEST_F(Output, FilesAreReplacedWhole)
