@@ -6,7 +6,6 @@
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "pictures/PackedArray.h"
-#include "pictures/QuantizedMesh.h"
 #include "support/Random.h"
 
 #include <algorithm>
@@ -197,42 +196,6 @@ namespace ompl_certificates
         for (std::size_t body = 0; body < left.size(); ++body)
             EXPECT_EQ(left[body], right[body]);
         EXPECT_EQ(page["robots"][0]["links"][0], "base");
-    }
-
-    TEST(PlanViewerTest, MeshesKeepTheirTriangles)
-    {
-        test::Random random(1);
-        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
-        for (int i = 0; i < 500; ++i)
-            triangles.push_back({random.point(3, 10.0), random.point(3, 10.0), random.point(3, 10.0)});
-        // One without area, which is left out
-        triangles.push_back({triangles[0][0], triangles[0][0], triangles[0][1]});
-        const QuantizedMesh mesh(triangles, 1000);
-        ASSERT_EQ(mesh.triangles.size(), 3u * 500);
-        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const double coordinate = mesh.vertices[3 * mesh.triangles[i] + static_cast<std::size_t>(axis)];
-                EXPECT_NEAR(mesh.low[axis] + coordinate * mesh.step[axis], triangles[i / 3][i % 3][axis],
-                            0.51 * mesh.step.maxCoeff());
-            }
-        EXPECT_LT(mesh.step.maxCoeff(), 20.0 / 65000);
-    }
-
-    TEST(PlanViewerTest, LargeMeshesBecomeCoarser)
-    {
-        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
-        constexpr int SIDE = 200;
-        const auto at = [](int x, int y) { return Eigen::Vector3d(x, y, std::sin(0.05 * x) * std::cos(0.03 * y)); };
-        for (int x = 0; x < SIDE; ++x)
-            for (int y = 0; y < SIDE; ++y)
-            {
-                triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-                triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
-            }
-        const QuantizedMesh mesh(triangles, 20000);
-        EXPECT_LE(mesh.triangles.size() / 3, 20000u);
-        EXPECT_GE(mesh.triangles.size() / 3, 5000u);
     }
 
     TEST(PlanViewerTest, SensedWorldsAreThere)
