@@ -18,41 +18,13 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
     using ompl::geometric::PathGeometric;
+    using test::attributeOf;
+    using test::elementsWith;
+    using test::numbersOf;
 
     namespace
     {
         constexpr double PI = boost::math::constants::pi<double>();
-
-        /** What an attribute of an element is; empty if it has none */
-        std::string attributeOf(const std::string &element, const std::string &name)
-        {
-            const std::size_t begin = element.find(" " + name + "='");
-            if (begin == std::string::npos)
-                return "";
-            const std::size_t value = begin + name.size() + 3;
-            return element.substr(value, element.find('\'', value) - value);
-        }
-
-        /** The lines, which are elements, that contain \e what */
-        std::vector<std::string> elementsWith(const std::string &svg, const std::string &what)
-        {
-            std::vector<std::string> elements;
-            std::istringstream lines(svg);
-            for (std::string line; std::getline(lines, line);)
-                if (line.find(what) != std::string::npos)
-                    elements.push_back(line);
-            return elements;
-        }
-
-        /** The numbers of a text in which commas, spaces, letters and semicolons part them */
-        std::vector<double> numbersOf(std::string text)
-        {
-            for (char &c : text)
-                if (std::string("0123456789.-").find(c) == std::string::npos)
-                    c = ' ';
-            std::istringstream stream(text);
-            return {std::istream_iterator<double>(stream), std::istream_iterator<double>()};
-        }
 
         /** An animation's values at a fraction of its time, as browsers find them */
         Eigen::VectorXd valuesAt(const std::string &element, double fraction)

@@ -2,6 +2,8 @@
 #define OMPL_CERTIFICATES_TESTS_SUPPORT_SVG_
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,37 @@ namespace ompl_certificates
                     open.pop_back();
             }
             return open.empty() && xml.find("nan") == std::string::npos && xml.find("inf'") == std::string::npos;
+        }
+
+        /** \brief What an attribute of an element is; empty if it has none */
+        inline std::string attributeOf(const std::string &element, const std::string &name)
+        {
+            const std::size_t begin = element.find(" " + name + "='");
+            if (begin == std::string::npos)
+                return "";
+            const std::size_t value = begin + name.size() + 3;
+            return element.substr(value, element.find('\'', value) - value);
+        }
+
+        /** \brief The lines, which are elements, that contain \e what */
+        inline std::vector<std::string> elementsWith(const std::string &svg, const std::string &what)
+        {
+            std::vector<std::string> elements;
+            std::istringstream lines(svg);
+            for (std::string line; std::getline(lines, line);)
+                if (line.find(what) != std::string::npos)
+                    elements.push_back(line);
+            return elements;
+        }
+
+        /** \brief The numbers of a text in which commas, spaces, letters and semicolons part them */
+        inline std::vector<double> numbersOf(std::string text)
+        {
+            for (char &c : text)
+                if (std::string("0123456789.-").find(c) == std::string::npos)
+                    c = ' ';
+            std::istringstream stream(text);
+            return {std::istream_iterator<double>(stream), std::istream_iterator<double>()};
         }
     }
 }
