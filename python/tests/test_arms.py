@@ -147,6 +147,11 @@ def test_links_keep_a_distance(scenes: pathlib.Path) -> None:
     assert sorted(set(paddings)) == [0.0, 0.05] and paddings.count(0.05) == 1
     cup = oc.AttachedBody("cup", "palm", oc.Body.sphere(0.03).padded(0.04), (0, 0, 0.2))
     assert sorted({body.padding for body in file.arm("arm", attached=[cup]).bodies}) == [0.0, 0.04]
+    # More for the others is not less for the cup.
+    assert sorted({body.padding for body in file.arm("arm", attached=[cup], padding=0.02).bodies}) == [0.02, 0.04]
+    for none in (-0.05, float("nan"), float("inf")):
+        with pytest.raises(oc.Error, match="must be finite and not negative"):
+            file.arm("arm", padding=none)
     with pytest.raises(oc.Error, match="padding: there is no link 'plam'; did you mean palm"):
         file.arm("arm", padding={"plam": 0.05})
 

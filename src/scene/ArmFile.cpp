@@ -207,10 +207,11 @@ namespace ompl_certificates
     {
         requireLinks("padding", tree, keysOf(settings.linkPadding));
         std::map<std::string, double> paddings = settings.linkPadding;
-        // An attached body may have one of its own.
-        if (settings.padding > 0.0)
+        // What is no padding at all, such as a negative one, is refused with the bodies.
+        if (settings.padding != 0.0)
             for (const KinematicTree::Link &link : tree.getLinks())
-                paddings.try_emplace(link.name, settings.padding);
+                if (!link.body || link.body->getPadding() == 0.0)
+                    paddings.try_emplace(link.name, settings.padding);
         return tree.padded(paddings);
     }
 

@@ -151,7 +151,8 @@ namespace ompl_certificates
             item.allow({"link_name", "padding"});
             const YamlNode link = item.at("link_name");
             link.orFail([&] { return tree.getLinkIndex(link.text()); });
-            paddings[link.text()] = readDistance(item.at("padding"));
+            if (!paddings.emplace(link.text(), readDistance(item.at("padding"))).second)
+                link.fail("has a padding already");
         }
         return paddings;
     }

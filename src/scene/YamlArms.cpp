@@ -135,7 +135,8 @@ namespace ompl_certificates
         }
 
         /** Read the paddings of a part; \e first is the name of the first one, if this is another. */
-        void readPaddings(const YamlNode &node, const std::string *first, ArmFile::ArmSettings &settings)
+        void readPaddings(const YamlNode &node, const std::string *first, const KinematicTree &tree,
+                          ArmFile::ArmSettings &settings)
         {
             const double padding = readPadding(node);
             if (first && padding != settings.padding)
@@ -148,6 +149,9 @@ namespace ompl_certificates
             const YamlNode links = node.at("link_padding");
             for (const std::string &link : links.keys())
             {
+                if (std::none_of(settings.attached.begin(), settings.attached.end(),
+                                 [&link](const AttachedBody &body) { return body.name == link; }))
+                    links.at(link).orFail([&] { return tree.getLinkIndex(link); });
                 const double own = readDistance(links.at(link));
                 if (const double known = settings.linkPadding.emplace(link, own).first->second; known != own)
                     links.at(link).fail("must be " + shortestText(known) + ", as for another robot of the mechanism");
@@ -313,13 +317,15 @@ namespace ompl_certificates
                 readAttached(node.at("attached"), meshes, settings.attached);
             if (node.has("touchable"))
                 readTouchable(node.at("touchable"), meshes, settings.touchable);
-            readPaddings(node, part == parts.front() ? nullptr : &names.front().name, settings);
             if (node.has("may_touch_obstacles"))
             {
                 const std::vector<std::string> links = readLinkNames(node.at("may_touch_obstacles"));
                 settings.mayTouchObstacles.insert(settings.mayTouchObstacles.end(), links.begin(), links.end());
             }
         }
+        for (const std::size_t part : parts)
+            readPaddings(robots_[part], part == parts.front() ? nullptr : &names.front().name, file.getTree(),
+                         settings);
         std::vector<std::string> notes;
         const auto arms = first.orFail([&] { return file.makeArms(names, settings, &notes); });
         for (std::size_t i = 0; i < parts.size(); ++i)

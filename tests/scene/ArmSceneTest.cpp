@@ -178,7 +178,7 @@ namespace ompl_certificates
             {"may_touch_obstacles: [none]", states + "ready", "robots[0]", "'none'"},
             {"padding: -1", states + "ready", "robots[0].padding", "must not be negative, not -1"},
             {"link_padding: {palm: -1}", states + "ready", "robots[0].link_padding.palm", "must not be negative"},
-            {"link_padding: {plam: 1}", states + "ready", "robots[0]", "padding: there is no link 'plam'"},
+            {"link_padding: {plam: 1}", states + "ready", "robots[0].link_padding.plam", "there is no link 'plam'"},
             {"visuals: maybe", states + "ready", "robots[0].visuals", "maybe"},
             {"", states + "{link: leg, position: [0, 0, 1]}", "robots[0].goal", "'leg': there is no such link"},
             {"", states + "{position: [0, 0, 1]}", "robots[0].goal.link", "missing"},

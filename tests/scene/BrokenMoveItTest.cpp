@@ -77,6 +77,8 @@ namespace ompl_certificates
                  "must be symmetric"},
                 {BALL + "link_padding: [{link_name: tip, padding: -0.01}]\n",
                  "scene.yaml:4: link_padding[0].padding: must not be negative, not -0.01"},
+                {BALL + "link_padding: [{link_name: tip, padding: 0.1}, {link_name: tip, padding: 0.2}]\n",
+                 "scene.yaml:4: link_padding[1].link_name: has a padding already"},
                 {BALL + "link_padding: [{link_name: tpi, padding: 0.01}]\n",
                  "scene.yaml:4: link_padding[0].link_name: there is no link 'tpi'; did you mean tip?"},
                 {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",

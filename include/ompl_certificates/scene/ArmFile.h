@@ -124,7 +124,7 @@ namespace ompl_certificates
             std::vector<std::string> mayTouchObstacles{};
 
             /** \brief The distance that all links and attached bodies keep from obstacles; see Body::padded(). They
-                keep none from each other. */
+                keep none from each other. An attached body that is padded itself keeps its own. */
             double padding{0.0};
 
             /** \brief That of links and attached bodies which have another one */
