@@ -143,13 +143,13 @@ demos::Work demos::declareGenerate(CLI::App &app)
         ->capture_default_str();
     // Kinds have limits of their own.
     constexpr unsigned long long most = 1000000000ull;
-    app.add_option("--robots", given.robots, "number of robots")->check(demos::countUpTo(most));
+    app.add_option("--robots", given.robots, "number of robots")->check(demos::countUpTo(most, 0));
     generator->ofSomeKinds = {
         app.add_option("--obstacles", given.obstacles, "number of random obstacles")->check(demos::countUpTo(most, 0)),
         app.add_option("--size", given.size, "side of the square that the robots are in")
             ->check(demos::positiveNumber()),
         app.add_option("--radius", given.radius, "radius of the discs among polygons")->check(demos::positiveNumber()),
-        app.add_option("--points", given.points, "number of points of a cloud")->check(demos::countUpTo(most))};
+        app.add_option("--points", given.points, "number of points of a cloud")->check(demos::countUpTo(most, 0))};
     app.add_option("--seed", given.seed, "seed; the same settings make the same scene")
         ->check(demos::countUpTo(4294967295ull))
         ->capture_default_str();

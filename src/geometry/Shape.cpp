@@ -1,6 +1,7 @@
 #include "ompl_certificates/geometry/Shape.h"
 
 #include "FclConvex.h"
+#include "ShortestText.h"
 #include "TriangleDistance.h"
 #include "TriangleTree.h"
 
@@ -151,7 +152,15 @@ namespace ompl_certificates
     Shape Shape::box(const Eigen::Vector2d &size)
     {
         Shape shape(Kind::BOX, 2, 0.0, {checkedSize("size", size.x()), checkedSize("size", size.y()), 0.0});
-        shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(shape.size_), 2));
+        try
+        {
+            shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(shape.size_), 2));
+        }
+        catch (const ompl::Exception &)
+        {
+            throw ompl::Exception("A box of " + shortestText(size.x()) + " by " + shortestText(size.y()) +
+                                  " is too thin, or too large or small, to compute with");
+        }
         return shape;
     }
 

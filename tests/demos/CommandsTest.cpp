@@ -26,6 +26,14 @@ namespace
     }
 }
 
+TEST(Commands, failIfWhatTheyPrintIsLost)
+{
+    const std::string program = OMPL_CERTIFICATES_BIN_DIR "/plan_team --list-planners 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system((program + " >/dev/null").c_str())), 0);
+    EXPECT_EQ(WEXITSTATUS(std::system((program + " >/dev/full").c_str())), 2);
+    EXPECT_EQ(WEXITSTATUS(std::system((program + " >&-").c_str())), 2);
+}
+
 TEST(Commands, areThoseOfTheHelp)
 {
     Program program("certificates", {"--help"});

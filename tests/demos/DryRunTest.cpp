@@ -14,6 +14,13 @@ TEST(DryRun, tellsWhatWouldBePlannedAndPlansNothing)
     EXPECT_TRUE(folder.list().empty()) << "nothing is written";
 }
 
+TEST(DryRun, printsErrorsOnlyIfThatIsAsked)
+{
+    Program program("plan_team", {SCENES + "warehouse.yaml", "--dry-run", "--quiet"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_EQ(program.output(), "");
+}
+
 TEST(DryRun, tellsOfControls)
 {
     const Folder folder;

@@ -72,6 +72,9 @@ namespace
             {{"@/scene.yaml", "--report", "@/scene.yaml"}, "--report"},
             {{"@/scene.yaml", "--report", "@/out", "--path", "@/out"}, "--report"},
             {{"@/scene.yaml", "--report", "-", "--path", "-"}, "- is named by --path, too"},
+            {{"@/scene.yaml", "--path", "./none.csv", "--report", "none.csv"}, "none.csv is named by --path, too"},
+            {{"@/scene.yaml", "--picture", ""}, "--picture: is empty"},
+            {{"@/scene.yaml", "--planner", ""}, "--planner: is empty"},
             {{"@/scene.yaml", "--path", "/dev/full", "--time", "300"}, "/dev/full: cannot be written"},
             {{"@/scene.yaml", "--picture", "/proc/plan.svg", "--time", "300"}, "/proc/plan.svg: cannot be written"},
             {{"@/scene.yaml", "--save-certificates", "-"}, "--save-certificates"},
@@ -108,7 +111,7 @@ TEST_P(PlanTeamBadInput, isOneLineAndExitCodeTwoAndNoFile)
     for (std::string argument : GetParam().arguments)
     {
         report = report || argument == "--report";
-        if (argument[0] == '@')
+        if (!argument.empty() && argument[0] == '@')
             argument = (folder / "") + argument.substr(std::min<std::size_t>(2, argument.size()));
         arguments.push_back(argument);
     }

@@ -176,6 +176,8 @@ TEST(Shape, RefusesSizesThatAreNotPositiveAndFinite)
     EXPECT_NO_THROW(Shape::ball(3, 0.0));
     EXPECT_THROW(Shape::ball(1, 1.0), ompl::Exception);
     EXPECT_THROW(Shape::capsule(4, 1.0, 1.0), ompl::Exception);
+    EXPECT_NE(messageOf([] { Shape::box(Eigen::Vector2d(1e30, 1.0)); }).find("A box of 1e+30 by 1 is too thin"),
+              std::string::npos);
     // As thin as a polytope must not be; it is named as what it is.
     EXPECT_NO_THROW(Shape::box(Eigen::Vector3d(1.0, 1.0, 1e-6)));
     EXPECT_NE(

@@ -99,6 +99,43 @@ TEST_P(MeshObstacles, HaveTheClearanceOfTheirNearestTriangle)
             });
 }
 
+TEST_P(MeshObstacles, MadeFromKnownOnesAreAsIfMadeAnew)
+{
+    forMany(200, 0.4,
+            [](Random &random, const FclObstacles &known, double unit)
+            {
+                std::vector<PlacedBody> bodies = known.getBodies();
+                if (random.chance(0.5))
+                    bodies.push_back({randomBody(random, GetParam(), unit), random.pose(GetParam(), 3.0 * unit)});
+                PlacedBody &some = bodies[random.below(bodies.size())];
+                switch (random.below(4))
+                {
+                    case 0:
+                        some.pose = random.pose(GetParam(), 3.0 * unit);
+                        break;
+                    case 1:
+                        std::swap(some, bodies.front());
+                        break;
+                    case 2:
+                        std::swap(some, bodies.back());
+                        bodies.pop_back();
+                        break;
+                    default:
+                        break;
+                }
+                const FclObstacles anew(bodies, GetParam()), made(bodies, known);
+                ASSERT_EQ(made.getFingerprint(), anew.getFingerprint());
+                const Body body = meshBody(GetParam(), randomMesh(random, unit));
+                for (int i = 0; i < 20 && !bodies.empty(); ++i)
+                {
+                    const Pose pose = nearPose(random, anew, body, unit);
+                    ASSERT_EQ(made.collides(body, pose), anew.collides(body, pose));
+                    ASSERT_EQ(made.touches(body, pose), anew.touches(body, pose));
+                    ASSERT_EQ(made.clearance(pose.translation()), anew.clearance(pose.translation()));
+                }
+            });
+}
+
 TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
 {
     unsigned int free = 0;

@@ -212,6 +212,7 @@ TEST_F(ChangingObstacles, AreRefusedWhereTheyMakeNoSense)
     EXPECT_THROW(ObstacleSet(4), ompl::Exception);
     ObstacleSet set(2);
     EXPECT_THROW(set.add({Body::sphere(1.0)}), ompl::Exception);
+    EXPECT_THROW(set.add({Body::disc(1.0).padded(0.1)}), ompl::Exception);
     const ObstacleSet::Id id = set.add({Body::disc(1.0)});
     EXPECT_THROW(set.move(id + 1, Pose::Identity()), ompl::Exception);
     EXPECT_THROW(set.move(id, Pose(Eigen::Translation3d(NAN, 0.0, 0.0))), ompl::Exception);
