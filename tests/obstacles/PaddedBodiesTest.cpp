@@ -134,6 +134,37 @@ TEST(PaddedBodies, OfPlanarMeshesKeepTheDistanceInSpace)
     EXPECT_FALSE(collides(1.6));
 }
 
+/** What a certificate or a remembered hit says of a body is never more than what the check says of it. */
+TEST(PaddedBodies, HitForCertainOnlyWhatTheyTouch)
+{
+    const TriangleMeshPtr mesh = boxMesh({1.0, 1.0, 1.0});
+    const std::vector<ObstaclesPtr> all{
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0, 1.0)}}, 3),
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::mesh(mesh)}}, 3),
+        std::make_shared<CellObstacles>(1.0, std::vector<CellBox>{{{0, 0, 0}, {1, 1, 1}}}, 3,
+                                        Eigen::Vector3d(-0.5, -0.5, -0.5)),
+        std::make_shared<PointCloudObstacles>(std::vector<Eigen::Vector3d>{Eigen::Vector3d::Zero()},
+                                              std::vector<double>{0.5}, 3)};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (const Body &body : {Body::box(1.0, 1.0, 1.0).padded(0.25), Body::mesh(mesh).padded(0.25)})
+        {
+            SCOPED_TRACE("obstacles " + std::to_string(i));
+            const Obstacles &obstacles = *all[i];
+            // Random poses hardly ever come so near to the padding.
+            const Pose apart = poseAt({1.25 + 0.5 * obstacles.getTolerance() + 1e-9, 0.0, 0.0}),
+                       within = poseAt({1.2, 0.0, 0.0});
+            ASSERT_FALSE(obstacles.collides(body, apart));
+            ASSERT_TRUE(obstacles.collides(body, within));
+            unsigned int hits = 0;
+            for (ObstaclePart part = 0; part < mesh->getTriangles().size(); ++part)
+            {
+                EXPECT_FALSE(obstacles.certainlyHits(body, apart, part)) << part;
+                hits += obstacles.certainlyHits(body, within, part);
+            }
+            EXPECT_GT(hits, 0U);
+        }
+}
+
 TEST(PaddedBodies, AreNoObstacles)
 {
     EXPECT_THROW(FclObstacles({{Body::disc(1.0).padded(0.1)}}, 2), ompl::Exception);
