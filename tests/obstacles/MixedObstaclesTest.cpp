@@ -24,6 +24,11 @@ namespace
         {
         }
 
+        bool knowsPadding() const override
+        {
+            return false;
+        }
+
         bool provesCollisions() const override
         {
             return false;
@@ -118,11 +123,16 @@ TEST(MixedObstacles, PromiseNoMoreThanEachOfThem)
 {
     const auto box = std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0, 1.0)}}, 3);
     const auto odd = std::make_shared<Odd>();
-    const MixedObstacles boxes({box, box}), both({box, odd});
+    const MixedObstacles boxes({box, box}), both({box, odd}), reversed({odd, box});
     EXPECT_TRUE(boxes.provesCollisions());
-    EXPECT_FALSE(both.provesCollisions());
+    EXPECT_TRUE(boxes.knowsPadding());
     EXPECT_EQ(boxes.getTolerance(), box->getTolerance());
-    EXPECT_EQ(both.getTolerance(), 0.5);
+    for (const MixedObstacles &mixed : {both, reversed})
+    {
+        EXPECT_FALSE(mixed.provesCollisions());
+        EXPECT_FALSE(mixed.knowsPadding());
+        EXPECT_EQ(mixed.getTolerance(), 0.5);
+    }
     EXPECT_TRUE(boxes.isClearanceCheap());
     EXPECT_NE(boxes.getFingerprint(), 0U);
     EXPECT_NE(boxes.getFingerprint(), MixedObstacles({box}).getFingerprint());
