@@ -4,6 +4,7 @@
 #include "support/Teams.h"
 
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/robots/ConfinedRobot.h"
 #include "ompl_certificates/team/RobotFilter.h"
 
 #include <gtest/gtest.h>
@@ -114,6 +115,33 @@ TEST(RobotFilter, KnowsTheInsideOfMeshesThatAreWoundAnyhowAndHaveLooseTriangles)
     state = std::vector<double>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     const PointCloud cloud{{{1.0, 0.0, 0.0}, {1.5, 0.5, -0.5}, {3.2, 0.0, 0.0}}, 0.0};
     EXPECT_EQ(findRobots(cloud, Team(space), state.get(), 0.1), (std::vector<bool>{true, true, false}));
+}
+
+/** Bodies of one robot may have paddings of their own, and zones are not there to be seen. */
+TEST(RobotFilter, AddsThePaddingOfEachBodyButNotOfZones)
+{
+    const auto space = std::make_shared<TeamStateSpace>();
+    const auto car = std::make_shared<CarWithTrailer>("car", Body::box(1.0, 1.0), Body::box(1.0, 1.0).padded(0.3), 2.0,
+                                                      cubeBounds(2, 9.0));
+    space->addRobot(
+        std::make_shared<ConfinedRobot>(car, std::vector<PlacedBody>{{Body::disc(1.0), planarPose(5.0, 5.0)}}));
+    ompl::base::ScopedState<> state(space);
+    state = std::vector<double>{0.0, 0.0, 0.0, 0.0};
+    const PointCloud cloud{{{0.0, 0.55, 0.0}, {0.0, 0.65, 0.0}, {-2.0, 0.85, 0.0}, {-2.0, 0.95, 0.0}, {5.0, 5.0, 0.0}},
+                           0.0};
+    EXPECT_EQ(findRobots(cloud, Team(space), state.get(), 0.1), (std::vector<bool>{true, false, true, false, false}));
+}
+
+/** In the plane points have no height, and meshes may be far above or below them. */
+TEST(RobotFilter, SeesPlanarMeshesFromAbove)
+{
+    const auto space = std::make_shared<TeamStateSpace>();
+    space->addRobot(RigidRobot::inSE2("box", Body::planarMesh(boxMesh({2.0, 2.0, 2.0}, {0.0, 0.0, 5.0})).padded(0.2),
+                                      cubeBounds(2, 9.0)));
+    ompl::base::ScopedState<> state(space);
+    state = std::vector<double>{1.0, 0.0, 0.0};
+    const PointCloud cloud{{{2.25, 0.0, 0.0}, {2.35, 0.0, 0.0}}, 0.0};
+    EXPECT_EQ(findRobots(cloud, Team(space), state.get(), 0.1), (std::vector<bool>{true, false}));
 }
 
 /** Robots that are nowhere would filter nothing, and then collide with themselves. */
