@@ -3,7 +3,11 @@
 #include "support/Folder.h"
 #include "support/RandomMeshes.h"
 
+#include <boost/crc.hpp>
+#include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <limits>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <set>
@@ -199,6 +203,64 @@ TEST_F(CertificateFile, TellsMeshesAndTheirHeightsApart)
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(other, {}));
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(mesh, {0.0, 1.0}));
     EXPECT_NE(fingerprint(mesh, {0.0, 2.0}), fingerprint(mesh, {0.0, 1.0}));
+}
+
+/** All that makes a shape another one makes the file one of other obstacles. */
+TEST_F(CertificateFile, TellsShapesApart)
+{
+    const std::vector<Eigen::Vector3d> corners{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    const auto open = [&](const std::vector<TriangleMesh::Triangle> &triangles)
+    { return Body::mesh(std::make_shared<TriangleMesh>(corners, triangles)); };
+    std::vector<Eigen::Vector3d> moved = corners;
+    moved[1].x() += 1e-9;
+    std::set<std::uint64_t> fingerprints;
+    const std::vector<Body> bodies{Body::sphere(1.0),
+                                   Body::sphere(1.0 + 1e-9),
+                                   Body::capsule(1.0, 1.0),
+                                   Body::capsule(1.0 + 1e-9, 1.0),
+                                   Body::capsule(1.0, 1.0 + 1e-9),
+                                   Body::cylinder(1.0, 1.0),
+                                   Body::cylinder(1.0 + 1e-9, 1.0),
+                                   Body::cylinder(1.0, 1.0 + 1e-9),
+                                   Body::box(1.0, 1.0, 1.0),
+                                   Body::box(1.0, 1.0 + 1e-9, 1.0),
+                                   Body::convexHull(corners),
+                                   Body::convexHull(moved),
+                                   open({{0, 1, 2}, {0, 1, 3}}),
+                                   open({{0, 1, 2}, {0, 2, 3}})};
+    for (const Body &body : bodies)
+        fingerprints.insert(FclObstacles({{body}}, 3).getFingerprint());
+    EXPECT_EQ(fingerprints.size(), bodies.size());
+    EXPECT_NE(FclObstacles({{Body::disc(1.0)}}, 2).getFingerprint(),
+              FclObstacles({{Body::disc(1.0 + 1e-9)}}, 2).getFingerprint());
+}
+
+/** Numbers that are none would certify anything, so a right checksum does not make them good. */
+TEST_F(CertificateFile, IsRefusedForNumbersThatAreNone)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
+    const std::string bytes = folder_.read("certificates");
+    const auto withNumber = [&](std::size_t at, double number)
+    {
+        std::string changed = bytes;
+        std::memcpy(&changed[at], &number, sizeof(number));
+        boost::crc_32_type crc;
+        crc.process_bytes(changed.data(), changed.size() - 4);
+        const std::uint32_t checksum = crc.checksum();
+        std::memcpy(&changed[changed.size() - 4], &checksum, sizeof(checksum));
+        return folder_.write("changed", changed);
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // The first certificate: its point, and its clearance
+    constexpr std::size_t point = 32, clearance = 48;
+    for (const std::size_t at : {point, point + 8, clearance})
+        for (const double number : {std::nan(""), -infinity})
+            expectRefused(obstacles, withNumber(at, number), "not a number");
+    expectRefused(obstacles, withNumber(point, infinity), "not a number");
+    EXPECT_GT(loadCertificates(*makeFresh(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(),
+                               withNumber(clearance, 0.5)),
+              0U);
 }
 
 TEST_F(CertificateFile, IsRefusedWhereverItIsCutOrDamaged)
