@@ -168,6 +168,9 @@ TEST_F(Padding, NeedsObstaclesThatKnowOfIt)
     const auto told = std::make_shared<OldObstacles>(std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
     EXPECT_NO_THROW(TeamSetup(teamOf({square("a", 0.0)}), told));
     EXPECT_THROW(TeamSetup(teamOf({square("a", 0.0), square("b", 0.1)}), told), ompl::Exception);
+    // The arm's first body has none.
+    EXPECT_NO_THROW(TeamSetup(teamOf({foldingArm(0.0)}), told));
+    EXPECT_THROW(TeamSetup(teamOf({foldingArm(0.1)}), told), ompl::Exception);
 }
 
 TEST_F(Padding, IsCheckedWhenGiven)
