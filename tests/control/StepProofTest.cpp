@@ -190,6 +190,19 @@ TEST(StepProof, IsForStepsForward)
     }
 }
 
+/** At one end of the step the disc is a hundredth of it in the wall, or just before the wall. */
+TEST(StepProof, ReachesToTheEndsOfAStep)
+{
+    StepTrials trials(fastDisc());
+    for (const double start : {-1.09, -1.102})
+    {
+        trials.set({start, 0.0}, {10.0, 0.0});
+        EXPECT_EQ(trials.isFree(0.1), start < -1.1);
+        trials.set({start + 1.0, 0.0}, {-10.0, 0.0});
+        EXPECT_EQ(trials.isFree(0.1), start < -1.1);
+    }
+}
+
 TEST(StepProof, NeedsBoundsThatAreNumbers)
 {
     const auto sailor = std::make_shared<Sailor>();
