@@ -117,6 +117,26 @@ TEST(DynamicRobotTest, NoPointMovesFasterThanTheStepBounds)
         }
 }
 
+/** A trailer turns fastest where it stands across its car, which random states within its limits never are. */
+TEST(DynamicRobotTest, TheStepBoundOfATrailerIsThatOfAnyHingeAngle)
+{
+    const auto train = allKinds()[5];
+    ob::ScopedState<> from(train->getStateSpace()), to(train->getStateSpace());
+    for (const double hinge : {M_PI_2, -M_PI_2})
+        for (const double speed : {0.5, -0.5})
+        {
+            constexpr double duration = 0.01;
+            from = std::vector<double>{0.0, 0.0, 0.3, 0.3 - hinge};
+            const double control[] = {speed, 0.0};
+            std::vector<MotionBound> bounds(train->getBodies().size());
+            train->computeStepBounds(from.get(), control, duration, bounds.data());
+            train->propagate(from.get(), control, duration, to.get());
+            const double turn = std::abs(to[3] - from[3]);
+            EXPECT_GE(bounds[1].angular, turn);
+            EXPECT_LT(bounds[1].angular, 1.01 * turn);
+        }
+}
+
 TEST(DynamicRobotTest, LimitsHoldVelocitiesAndHinge)
 {
     const auto robots = allKinds();
