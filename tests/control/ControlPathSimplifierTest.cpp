@@ -33,6 +33,24 @@ namespace
         return static_cast<const ob::GoalState &>(*setup.getGoal()).getState();
     }
 
+    /** One state, and none that differs from it by any rounding */
+    class ExactGoal : public ob::Goal
+    {
+    public:
+        ExactGoal(const ob::SpaceInformationPtr &si, const ob::State *state)
+          : Goal(si), state_(si->getStateSpace(), state)
+        {
+        }
+
+        bool isSatisfied(const ob::State *state) const override
+        {
+            return si_->equalStates(state, state_.get());
+        }
+
+    private:
+        ob::ScopedState<> state_;
+    };
+
     double distanceToGoal(TeamControlSetup &setup)
     {
         return setup.getStateSpace()->distance(setup.getSolutionPath().getStates().back(), goalOf(setup));
@@ -238,6 +256,21 @@ TEST_F(ControlPathSimplifierTest, TakesDurationsThatAreWholeStepsAlone)
         }
     }
     setup->getSpaceInformation()->freeControl(control);
+}
+
+/** A path that is shorter, but ends beside the goal, is no plan any more. */
+TEST_F(ControlPathSimplifierTest, KeepsAPathThatNoOtherReplacesAtItsGoal)
+{
+    for (const std::size_t kind : {1U, 2U, 4U})
+    {
+        ompl::RNG::setSeed(1);
+        const auto setup = crossing(allKinds()[kind], {});
+        ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+        oc::PathControl &path = setup->getSolutionPath();
+        const auto goal = std::make_shared<ExactGoal>(setup->getSpaceInformation(), path.getStates().back());
+        ControlPathSimplifier(setup->getSpaceInformation(), goal).simplify(path, ob::plannerNonTerminatingCondition());
+        EXPECT_TRUE(goal->isSatisfied(path.getStates().back())) << allKinds()[kind]->getName();
+    }
 }
 
 TEST_F(ControlPathSimplifierTest, EndsAtTheNearestOfSeveralGoals)
