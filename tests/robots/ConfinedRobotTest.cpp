@@ -215,6 +215,7 @@ TEST(ConfinedRobot, RefusesWhatIsNoZone)
     EXPECT_EQ(message(disc, {}), "disc: there is no zone to keep it out of");
     EXPECT_EQ(message(disc, {{Body::sphere(1.0)}}),
               "disc: a zone of 3 dimensions cannot keep out a robot that moves in 2");
+    EXPECT_EQ(message(disc, {{Body::disc(1.0).padded(0.1)}}), "disc: a zone has a padding, which the robot is to have");
     Pose tilted = planarPose(1.0, 0.0), mirrored = tilted;
     tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
     mirrored.linear()(0, 0) = -1.0;
