@@ -156,11 +156,15 @@ TEST(MixedObstacles, ChangeAsTheirMembersDo)
     EXPECT_NEAR(first.after->clearance({3.0, 0.0, 0.0}), 1.9, 1e-12);
     EXPECT_NEAR(first.added->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
     EXPECT_FALSE(first.removed);
+    // What a revalidation looks at, of each member
+    EXPECT_NEAR(addedBy(first)->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
+    EXPECT_NEAR(addedBy(first)->clearance({4.0, 0.0, 0.0}), 0.9, 1e-12);
 
     shapes.remove(box);
     const ObstacleChange second = mixedChange({shapes.takeChange(), points.takeChange()});
     EXPECT_NEAR(second.after->clearance({2.0, 0.0, 0.0}), 2.9, 1e-12);
     EXPECT_FALSE(second.added);
+    EXPECT_FALSE(addedBy(second));
     EXPECT_NEAR(second.removed->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
 
     const ObstacleChange none = mixedChange({shapes.takeChange(), points.takeChange()});
