@@ -18,6 +18,35 @@ namespace
             bodies.push_back({randomBody(random, dimension, 1.0), random.pose(dimension, 3.0)});
         return std::make_shared<FclObstacles>(bodies, dimension);
     }
+
+    /** Obstacles whose check errs by half of their tolerance, where FCL's errs by millionths in few poses */
+    class Imprecise : public FclObstacles
+    {
+    public:
+        Imprecise() : FclObstacles({{Body::box(1.0, 1.0)}}, 2)
+        {
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            return FclObstacles::collides(body.padded(0.5 * getTolerance()), pose);
+        }
+
+        Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/) const override
+        {
+            return Touching::UNKNOWN;
+        }
+
+        bool isGapCheap() const override
+        {
+            return true;
+        }
+
+        double getTolerance() const override
+        {
+            return 0.1;
+        }
+    };
 }
 
 class Environment : public testing::TestWithParam<unsigned int>
@@ -128,3 +157,26 @@ TEST_P(Environment, LearnsNothingFromPosesThatItHasSeen)
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimension, Environment, testing::Values(2U, 3U));
+
+/** The verdict is that of the check, so a gap proves nothing where the check may see a contact. */
+TEST(Environment, IsNotProvedFreeByGapsWithinTheTolerance)
+{
+    const auto obstacles = std::make_shared<Imprecise>();
+    const CertifiedEnvironment environment(obstacles);
+    const Body body = Body::box(1.0, 1.0);
+    const MotionBound bound{0.01, 0.0};
+    CheckCounts counts;
+    for (const double gap : {0.03, 0.3})
+    {
+        const Pose pose = planarPose(1.0 + gap, 0.0);
+        SwitchingPolicy policy;
+        // The first questions of a policy are trials, which look certificates up or ask clearances.
+        for (int i = 0; i < 100; ++i)
+        {
+            const PoseVerdict verdict =
+                environment.settle({body, pose, &bound, 0.0, 10.0}, NO_CERTIFICATE, policy, counts);
+            ASSERT_EQ(verdict.free, !obstacles->collides(body, pose)) << gap;
+            ASSERT_EQ(verdict.free, gap > 0.1);
+        }
+    }
+}
