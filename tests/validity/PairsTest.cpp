@@ -4,6 +4,7 @@
 #include "support/ErrorsOnly.h"
 #include "support/Fcl.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace ompl_certificates;
@@ -115,6 +116,35 @@ TEST(RobotPairs, OfDiscsTouchAtTheSumOfTheirRadii)
         EXPECT_FALSE(setup->getTeamChecker()->isValid(state.get()));
         EXPECT_EQ(setup->getTeamChecker()->describeCollision(state.get()),
                   "robots 'small' and 'middle' touch each other");
+    }
+}
+
+/** A ball beside its frame moves where this only turns, and passes through a post. */
+TEST(RobotPairs, OfBodiesBesideTheirFramesMoveWhenTheseTurn)
+{
+    const auto swing =
+        RigidRobot::inSE2("swing", Body::join({{Body::disc(0.2), planarPose(2.0, 0.0)}}), cubeBounds(2, HALF));
+    const auto post = RigidRobot::disc("post", 0.2, cubeBounds(2, HALF));
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
+    const std::vector<double> place{2.0 * std::cos(1.5), 2.0 * std::sin(1.5)};
+    for (const bool swingsFirst : {true, false})
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(swingsFirst ? swing : post);
+        team->addRobot(swingsFirst ? post : swing);
+        ob::ScopedState<> from(team), to(team);
+        from = swingsFirst ? std::vector<double>{0.0, 0.0, 0.0, place[0], place[1]}
+                           : std::vector<double>{place[0], place[1], 0.0, 0.0, 0.0};
+        to = from.reals();
+        to[swingsFirst ? 2 : 4] = 3.0;
+        for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+        {
+            const TeamSetup setup(team, none, Method::SHARED_PROJECTION, mode);
+            const auto &si = setup.getSpaceInformation();
+            si->setup();
+            EXPECT_TRUE(si->isValid(from.get()) && si->isValid(to.get()));
+            EXPECT_FALSE(si->checkMotion(from.get(), to.get())) << swingsFirst;
+        }
     }
 }
 
