@@ -4,6 +4,7 @@
 #include "support/Message.h"
 
 #include "ompl_certificates/control/DynamicRobot.h"
+#include "ompl_certificates/scene/ArmFile.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ TEST(YamlPadding, IsOfAllBodiesOfARobot)
         "  - {type: arm, base: {center: [2, 8]}, links: [{length: 1, width: 0.1}, {length: 1, radius: 0.1}], "
         "padding: 0.25, start: [0, 0], goal: [1, 1]}\n"
         "  - {type: unicycle_first_order, padding: 0.25, start: [8, 1, 0], goal: [1, 9, 0], "
-        "keep_out: [{type: box, center: [8, 8], size: [1, 1]}]}\n");
+        "keep_out: [{type: box, center: [8, 8], size: [1, 1]}]}\n"
+        "  - {type: car_first_order_with_1_trailers, padding: 0.25, start: [8, 5, 0, 0], goal: [3, 3, 0, 0]}\n");
     scene.validate();
     for (const Scene::Member &member : scene.getMembers())
         for (std::size_t body = 0; body < member.robot->getBodies().size(); ++body)
@@ -59,6 +61,49 @@ TEST(YamlPadding, IsOfTheLinksOfAnArm)
                                                                                        : 0.02)
             << link;
     }
+}
+
+/** The links are those of one mechanism, whichever part moves them. */
+TEST(YamlPadding, IsOneOfAllPartsOfAMechanism)
+{
+    const auto sceneOf = [](const std::string &left, const std::string &right)
+    {
+        const std::string twin = "  - {type: urdf, file: twin.urdf, srdf: twin.srdf, start: ahead, goal: ahead, ";
+        return sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n" + twin +
+                                 "name: left, group: left" + left + "}\n" + twin + "name: right, group: right" + right +
+                                 "}\n",
+                             ARMS + "test.yaml");
+    };
+    const Scene scene = sceneOf(", padding: 0.01, link_padding: {torso: 0.02}", ", padding: 0.01");
+    for (const Scene::Member &member : scene.getMembers())
+        for (std::size_t body = 0; body < member.robot->getBodies().size(); ++body)
+            EXPECT_EQ(member.robot->getBodies()[body].getPadding(),
+                      dynamic_cast<const Arm &>(*member.robot).getLinkOfBody(body) == "torso" ? 0.02 : 0.01);
+    const auto complaint = [&](const std::string &left, const std::string &right)
+    { return messageOf([&] { sceneOf(left, right); }); };
+    const std::string text = "the padding must be that of robot 'left', which is of the same mechanism: 0.01";
+    EXPECT_NE(complaint(", padding: 0.01", ", padding: 0.02").find("robots[1].padding: " + text), std::string::npos);
+    EXPECT_NE(complaint(", padding: 0.01", "").find("robots[1]: " + text), std::string::npos);
+    EXPECT_NE(complaint(", link_padding: {torso: 0.01}", ", link_padding: {torso: 0.02}")
+                  .find("robots[1].link_padding.torso: must be 0.01, as for another robot of the mechanism"),
+              std::string::npos);
+}
+
+/** A distance that robots keep from what keeps one, too, would have two meanings. */
+TEST(YamlPadding, IsNotOfObstacles)
+{
+    const Body box = Body::box(0.1, 0.1, 0.1);
+    Scene scene = sceneWithArm("");
+    EXPECT_NO_THROW(scene.addObstacle({box}));
+    EXPECT_NE(messageOf([&] { scene.addObstacle({box.padded(0.1)}, "box"); }).find("box: has a padding"),
+              std::string::npos);
+    const ArmFile file(ARMS + "arm6.urdf", ARMS + "arm6.srdf");
+    ArmFile::ArmSettings settings;
+    settings.touchable.push_back({"box", box, Pose(Eigen::Translation3d(0.0, 0.0, 9.0)), {}});
+    EXPECT_NO_THROW(file.makeArm("arm", "arm", settings));
+    settings.touchable.front().body = box.padded(0.1);
+    EXPECT_NE(messageOf([&] { file.makeArm("arm", "arm", settings); }).find("obstacle 'box': has a padding"),
+              std::string::npos);
 }
 
 TEST(YamlPadding, IsToldInMessages)
