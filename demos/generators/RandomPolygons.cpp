@@ -77,12 +77,13 @@ namespace generators
             require(settings.obstacles <= 10000,
                     "obstacles: must be at most 10000, not " + std::to_string(settings.obstacles));
             require(settings.size >= 1e-3 && settings.size <= 1e6,
-                    "size: must be from 0.001 to 1000000, not " + textOf(settings.size));
+                    "size: must be from 0.001 to 1000000, not " + generators::textOf(settings.size));
             require(settings.radius >= 1e-3 * settings.size && settings.radius <= 0.1 * settings.size,
-                    "radius: must be from a thousandth to a tenth of the size, not " + textOf(settings.radius));
+                    "radius: must be from a thousandth to a tenth of the size, not " +
+                        generators::textOf(settings.radius));
             require(settings.smallest >= 0.005 && settings.smallest <= settings.largest && settings.largest <= 0.5,
                     "smallest and largest: must be ordered fractions from 0.005 to 0.5, not " +
-                        textOf(settings.smallest) + " and " + textOf(settings.largest));
+                        generators::textOf(settings.smallest) + " and " + generators::textOf(settings.largest));
         }
     }
 
