@@ -26,7 +26,7 @@ namespace
         KINDS
     };
 
-    ObstaclesPtr randomObstacles(Random &random, unsigned int kind, unsigned int dimension)
+    ObstaclesPtr obstaclesOfKind(Random &random, unsigned int kind, unsigned int dimension)
     {
         switch (kind)
         {
@@ -41,8 +41,8 @@ namespace
                                                              randomRadii(random, 100, 0.2), dimension);
             default:
                 return std::make_shared<MixedObstacles>(
-                    std::vector<ObstaclesPtr>{randomObstacles(random, PRIMITIVES, dimension),
-                                              randomObstacles(random, CELLS + random.below(2), dimension)});
+                    std::vector<ObstaclesPtr>{obstaclesOfKind(random, PRIMITIVES, dimension),
+                                              obstaclesOfKind(random, CELLS + random.below(2), dimension)});
         }
     }
 
@@ -72,7 +72,7 @@ TEST(StaysFree, IsTrueOfNoBodyThatCanCollide)
             SCOPED_TRACE("kind " + std::to_string(kind) + ", seed " + std::to_string(seed));
             Random random(seed);
             const unsigned int dimension = 2 + seed % 2;
-            const ObstaclesPtr obstacles = randomObstacles(random, kind, dimension);
+            const ObstaclesPtr obstacles = obstaclesOfKind(random, kind, dimension);
             for (unsigned int i = 0; i < 40; ++i)
             {
                 const Body body = bodyAmongCells(random, dimension, 0.4);
@@ -117,7 +117,7 @@ TEST(StaysFree, IsFalseOfWhatIsNoNumber)
     {
         SCOPED_TRACE("kind " + std::to_string(kind));
         Random random(1);
-        const ObstaclesPtr obstacles = randomObstacles(random, kind, 3);
+        const ObstaclesPtr obstacles = obstaclesOfKind(random, kind, 3);
         EXPECT_TRUE(obstacles->staysFree(body, pose, 1.0));
         EXPECT_FALSE(obstacles->staysFree(body, pose, nan));
         EXPECT_FALSE(obstacles->staysFree(body, poseAt({0.0, nan, 0.0}), 1.0));
