@@ -14,7 +14,40 @@ namespace ompl_certificates_python
 
     namespace
     {
-        using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+        template <typename Number>
+        using Numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+        /** An array of \e object, or null and why Python makes none. All else that is raised meanwhile is thrown, such
+            as KeyboardInterrupt: py::array::ensure() would clear it. */
+        template <typename Array>
+        Array convert(const py::object &object, std::string &why)
+        {
+            try
+            {
+                return Array(object);
+            }
+            catch (const py::error_already_set &error)
+            {
+                if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError) &&
+                    !error.matches(PyExc_OverflowError))
+                    throw;
+                why = py::str(error.value()).cast<std::string>();
+                return py::reinterpret_steal<Array>(py::handle());
+            }
+        }
+
+        /** The same; \e kind tells what is wanted, such as numbers.
+            \throws ompl::Exception that names \e what and tells why there is none */
+        template <typename Array>
+        Array toArray(const py::object &object, const std::string &what, const std::string &kind = "numbers")
+        {
+            std::string why;
+            auto array = convert<Array>(object, why);
+            if (!array)
+                throw ompl::Exception(what,
+                                      "must be " + kind + (why.empty() ? "" : ": ") + why.substr(0, why.find('\n')));
+            return array;
+        }
 
         void requireColumns(const py::array &array, py::ssize_t columns, const std::string &what)
         {
@@ -51,11 +84,11 @@ namespace ompl_certificates_python
         }
 
         /** Indices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
-        Indices toIndices(const py::object &object, const std::string &what)
+        Numbers<std::int64_t> toIndices(const py::object &object, const std::string &what)
         {
             requireUnmasked(object, what);
-            const auto array = py::array::ensure(object);
-            const char kind = array ? array.dtype().kind() : 'O';
+            const auto array = toArray<py::array>(object, what, "whole numbers");
+            const char kind = array.dtype().kind();
             if (kind == 'f')
             {
                 const auto numbers = toDoubles(array, what);
@@ -69,7 +102,7 @@ namespace ompl_certificates_python
             }
             else if (kind != 'i' && kind != 'u')
                 throw ompl::Exception(what, "must be whole numbers");
-            return Indices::ensure(array);
+            return toArray<Numbers<std::int64_t>>(array, what, "whole numbers");
         }
 
         Pose poseOfMatrix(const Doubles &array)
@@ -117,9 +150,8 @@ namespace ompl_certificates_python
         if (object.is_none())
             throw ompl::Exception(what, "must be numbers, not None");
         requireUnmasked(object, what);
-        // It clears Python's error, here and below.
-        const auto given = py::array::ensure(object);
-        const char kind = given ? given.dtype().kind() : 'O';
+        const auto given = toArray<py::array>(object, what);
+        const char kind = given.dtype().kind();
         if (kind == 'c')
             throw ompl::Exception(what, "must be real numbers, not complex ones");
         if (kind == 'V')
@@ -127,10 +159,14 @@ namespace ompl_certificates_python
         // Texts and times could be converted.
         if (std::strchr("SUMm", kind))
             throw ompl::Exception(what, "must be numbers");
-        auto array = given ? Doubles::ensure(given) : Doubles();
-        if (!given || !array)
-            throw ompl::Exception(what, "must be numbers");
-        return array;
+        return toArray<Doubles>(given, what);
+    }
+
+    bool isNumber(const py::object &object)
+    {
+        std::string why;
+        const auto array = convert<py::array>(object, why);
+        return array && std::strchr("iuf", array.dtype().kind()) && array.ndim() == 0;
     }
 
     std::vector<double> toNumbers(const py::object &object, const std::string &what)
@@ -180,7 +216,7 @@ namespace ompl_certificates_python
 
     TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &object)
     {
-        const Indices faces = toIndices(object, "faces");
+        const auto faces = toIndices(object, "faces");
         requireColumns(faces, 3, "faces");
         std::vector<TriangleMesh::Triangle> triangles(static_cast<std::size_t>(faces.shape(0)));
         const std::int64_t *index = faces.data();
@@ -198,9 +234,7 @@ namespace ompl_certificates_python
                                  unsigned int dimension, bool occupied)
     {
         requireUnmasked(object, "occupied");
-        const auto grid = py::array::ensure(object);
-        if (!grid)
-            throw ompl::Exception("occupied", "must be bools");
+        const auto grid = toArray<py::array>(object, "occupied", "bools");
         if (grid.ndim() != static_cast<py::ssize_t>(dimension))
             throw ompl::Exception("occupied", std::string("must be an array of shape ") +
                                                   (dimension == 2 ? "(nx, ny)" : "(nx, ny, nz)") + ", not " +
@@ -222,7 +256,7 @@ namespace ompl_certificates_python
             low[axis] = static_cast<std::int32_t>(begin);
             count[axis] = static_cast<std::int32_t>(cells);
         }
-        const auto bools = py::array_t<bool, py::array::c_style | py::array::forcecast>::ensure(grid);
+        const auto bools = toArray<Numbers<bool>>(grid, "occupied", "bools");
         const bool *cell = bools.data();
         std::vector<CellBox> boxes;
         const std::size_t last = dimension - 1;
@@ -316,5 +350,10 @@ namespace ompl_certificates_python
         bounds.low = low;
         bounds.high = high;
         return bounds;
+    }
+
+    ompl::base::RealVectorBounds toBounds(const py::object &low, const py::object &high)
+    {
+        return toBounds(toNumbers(low, "low"), toNumbers(high, "high"));
     }
 }

@@ -20,8 +20,12 @@ namespace ompl_certificates_python
     using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
     /** \brief An array of numbers, from anything that numpy makes one of
-        \throws ompl::Exception that names \e what if it is none, or complex */
+        \throws ompl::Exception that names \e what if it is none, or complex; and what Python raises meanwhile that is
+        no TypeError, ValueError or OverflowError, such as KeyboardInterrupt, here and below */
     Doubles toDoubles(const py::object &object, const std::string &what);
+
+    /** \brief Whether numpy takes \e object for one real number */
+    bool isNumber(const py::object &object);
 
     /** \brief A list of numbers, from an array of one dimension
         \throws ompl::Exception that names \e what if it is none */
@@ -80,6 +84,9 @@ namespace ompl_certificates_python
         \throws ompl::Exception if these differ in length, if there are not 2 or 3 of them, or if one is not above the
         other */
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
+
+    /** \brief The same, from what toNumbers() takes */
+    ompl::base::RealVectorBounds toBounds(const py::object &low, const py::object &high);
 
     /** \brief The bounds of a space's coordinates: arrays (low, high) */
     py::tuple toBoundArrays(const ompl::base::StateSpace &space);

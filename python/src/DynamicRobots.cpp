@@ -66,9 +66,9 @@ namespace ompl_certificates_python
             return limits;
         }
 
-        Robots makeIntegrator(const std::string &name, const Body &body, const std::vector<double> &low,
-                              const std::vector<double> &high, const py::object &velocity,
-                              const py::object &acceleration, const std::vector<Placed> &keepOut)
+        Robots makeIntegrator(const std::string &name, const Body &body, const py::object &low, const py::object &high,
+                              const py::object &velocity, const py::object &acceleration,
+                              const std::vector<Placed> &keepOut)
         {
             const RealVectorBounds bounds = toBounds(low, high);
             const unsigned int axes = body.getDimension();
@@ -80,10 +80,9 @@ namespace ompl_certificates_python
             return Integrator::secondOrder(shape, velocities, limitsOf(acceleration, "acceleration", axes));
         }
 
-        Robots makeUnicycle(const std::string &name, const Body &body, const std::vector<double> &low,
-                            const std::vector<double> &high, const py::object &linear, const py::object &angular,
-                            const py::object &linearAcceleration, const py::object &angularAcceleration,
-                            const std::vector<Placed> &keepOut)
+        Robots makeUnicycle(const std::string &name, const Body &body, const py::object &low, const py::object &high,
+                            const py::object &linear, const py::object &angular, const py::object &linearAcceleration,
+                            const py::object &angularAcceleration, const std::vector<Placed> &keepOut)
         {
             requirePlane(body, "body");
             const RobotPtr shape = confined(RigidRobot::inSE2(name, body, toBounds(low, high)), keepOut);
@@ -98,9 +97,9 @@ namespace ompl_certificates_python
                 limitsOf(linearAcceleration, "linear_acceleration", angularAcceleration, "angular_acceleration"));
         }
 
-        Robots makeCar(const std::string &name, const Body &body, const std::vector<double> &low,
-                       const std::vector<double> &high, const py::object &speed, const py::object &steering,
-                       double wheelbase, const std::optional<Body> &trailer, const std::optional<double> &hitchLength,
+        Robots makeCar(const std::string &name, const Body &body, const py::object &low, const py::object &high,
+                       const py::object &speed, const py::object &steering, double wheelbase,
+                       const std::optional<Body> &trailer, const std::optional<double> &hitchLength,
                        const std::optional<double> &maxHingeAngle, const std::vector<Placed> &keepOut)
         {
             requirePlane(body, "body");

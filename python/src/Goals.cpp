@@ -89,13 +89,6 @@ namespace ompl_certificates_python
             return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
         }
 
-        bool isNumber(const py::object &object)
-        {
-            const auto array = py::array::ensure(object);
-            const bool isReal = array && std::string("iuf").find(array.dtype().kind()) != std::string::npos;
-            return isReal && array.ndim() == 0;
-        }
-
         /** One tolerance for all axes, or three */
         Eigen::Vector3d toTolerance(const py::object &object, const std::string &what, double byDefault)
         {

@@ -33,9 +33,8 @@ namespace ompl_certificates_python
             return std::const_pointer_cast<Robot>(robot);
         }
 
-        RobotHolder makeRigid(const std::string &name, const Body &body, const std::vector<double> &low,
-                              const std::vector<double> &high, bool turns, std::optional<double> turningRadius,
-                              const std::vector<Placed> &keepOut)
+        RobotHolder makeRigid(const std::string &name, const Body &body, const py::object &low, const py::object &high,
+                              bool turns, std::optional<double> turningRadius, const std::vector<Placed> &keepOut)
         {
             const auto bounds = toBounds(low, high);
             if (turningRadius && (!turns || body.getDimension() == 3))
@@ -50,8 +49,8 @@ namespace ompl_certificates_python
         }
 
         RobotHolder makeCarWithTrailer(const std::string &name, const Body &car, const Body &trailer,
-                                       double hitchLength, const std::vector<double> &low,
-                                       const std::vector<double> &high, const std::vector<Placed> &keepOut)
+                                       double hitchLength, const py::object &low, const py::object &high,
+                                       const std::vector<Placed> &keepOut)
         {
             return hold(confined(std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)),
                                  keepOut));

@@ -24,7 +24,7 @@ namespace ompl_certificates_python
 
     namespace
     {
-        Scene makeScene(const std::vector<double> &low, const std::vector<double> &high, const std::string &name)
+        Scene makeScene(const py::object &low, const py::object &high, const std::string &name)
         {
             return Scene(name, name, toBounds(low, high));
         }

@@ -92,3 +92,38 @@ def test_python_runs_while_a_cloud_is_read(tmp_path: Path, turns_during: TurnsDu
     assert turns_during(lambda: scene.add_cloud_file(file, 0.01, cell=9.0)) > 0.5 * turns_during(
         lambda: oc.load_cloud(file)
     )
+
+
+class Lazy:
+    """Raises something when an array is made of it, as tensors that are not in this computer's memory do"""
+
+    def __init__(self, error: BaseException) -> None:
+        self.error = error
+
+    def __array__(self, *args: Any, **options: Any) -> np.ndarray[Any, Any]:
+        raise self.error
+
+
+def test_what_is_raised_while_arrays_are_made_is_told(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    calls: List[Callable[[Any], object]] = [
+        checker.is_valid,
+        lambda array: checker.add_cloud(array, 0.1),
+        lambda array: checker.add_grid(array, 0.1),
+        lambda array: oc.Body.mesh(np.eye(3), array),
+        lambda array: room.add_obstacle(oc.Body.disc(1), array),
+        lambda array: oc.Scene(array, [1, 1]),
+        lambda array: oc.Robot.rigid("disc", oc.Body.disc(1), [0, 0], array),
+        lambda array: oc.LinkPose("hand", array),
+        lambda array: oc.LinkPose("hand", rotation=array),
+        lambda array: oc.plan(checker, start=array),
+    ]
+    for call in calls:
+        for kind in (KeyboardInterrupt, MemoryError, SystemExit, RuntimeError):
+            with pytest.raises(kind, match="^why$") as raised:
+                call(Lazy(kind("why")))
+            assert raised.type is kind
+        with pytest.raises(oc.Error, match="^[a-z]+: must be .*: can't convert a device's tensor$"):
+            call(Lazy(TypeError("can't convert a device's tensor\nSee there.")))
+    with pytest.raises(oc.Error, match="^states: must be numbers: .* not 'NoneType'$"):
+        checker.is_valid([1, None, 1, 1])  # type: ignore[list-item]

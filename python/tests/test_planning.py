@@ -272,7 +272,7 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"start": [[1, 1, 9, 9], [1, 1, 9, 9]]}, r"^start: must be an array of shape \(4,\), not \(2, 4\)$"),
         ({"start": 1.0}, r"^start: must be an array of shape \(4,\), not \(\)$"),
         ({"start": "abc"}, "^start: must be numbers$"),
-        ({"goal": [[1, 2], [3]]}, "^goal: must be numbers$"),
+        ({"goal": [[1, 2], [3]]}, "^goal: must be numbers: "),
         ({"goal": [1, 1, math.nan, 1]}, "^goal: all numbers must be finite$"),
     ):
         begin = time.monotonic()
