@@ -1,5 +1,7 @@
 #include "Arrays.h"
 
+#include "Gil.h"
+
 #include <ompl_certificates/team/Coordinates.h>
 #include <ompl_certificates/team/Rotations.h>
 
@@ -227,7 +229,10 @@ namespace ompl_certificates_python
                     throw ompl::Exception("faces", "there is no vertex " + std::to_string(*index));
                 corner = static_cast<std::uint32_t>(*index++);
             }
-        return std::make_shared<TriangleMesh>(toPoints3(vertices, "vertices"), std::move(triangles));
+        std::vector<Eigen::Vector3d> points = toPoints3(vertices, "vertices");
+        // The tree of a large mesh takes time.
+        const GilRelease release;
+        return std::make_shared<TriangleMesh>(std::move(points), std::move(triangles));
     }
 
     std::vector<CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,

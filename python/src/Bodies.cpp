@@ -34,6 +34,7 @@ namespace ompl_certificates_python
         {
             requireDimension(dimension);
             const TriangleMeshPtr mesh = toMesh(toDoubles(vertices, "vertices"), faces);
+            const GilRelease release;
             return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 

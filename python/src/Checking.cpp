@@ -82,11 +82,17 @@ namespace ompl_certificates_python
                     "proportion to all obstacles, so ask is_valid() about many states.")
                 .def(
                     "prove",
-                    [](const Checker &self, const py::object &path)
+                    [](const Checker &self, const py::object &object)
                     {
-                        return toProof(findProof(
-                            self.toPath(toDoubles(path, "path"), "path"), self.getSetup().getTeamChecker(),
-                            [&self](const ompl::base::State *state) { return self.describeCollision(state); }));
+                        const Doubles states = toDoubles(object, "path");
+                        const auto path = [&]
+                        {
+                            const GilRelease release;
+                            return self.toPath(states, "path");
+                        }();
+                        return toProof(findProof(path, self.getSetup().getTeamChecker(),
+                                                 [&self](const ompl::base::State *state)
+                                                 { return self.describeCollision(state); }));
                     },
                     py::arg("path"),
                     "Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also "

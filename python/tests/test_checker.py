@@ -6,7 +6,7 @@ import pathlib
 import signal
 import threading
 import time
-from typing import Any, List, Set
+from typing import Any, Callable, List, Set
 
 import numpy as np
 import ompl_certificates as oc
@@ -280,6 +280,23 @@ def test_interrupt_ends_a_batch(room: oc.Scene, question: str) -> None:
         room.add_obstacle(oc.Body.box(0.1, 0.1), place)
     checker = oc.Checker(room)
     states = np.random.default_rng(13).uniform(0, 10, (3000000, 4))
+def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> None:
+    path = np.tile(room.start, (200000, 1))
+    corners = np.random.default_rng(15).uniform(0, 9, (100000, 3))
+    faces = np.arange(len(corners) - len(corners) % 3).reshape(-1, 3)
+    checker = oc.Checker(room)
+    calls: List[Callable[[], object]] = [lambda: checker.prove(path), lambda: oc.Body.mesh(corners, faces)]
+    for call in calls:
+        thread = threading.Thread(target=call)
+        begin = last = time.perf_counter()
+        longest = 0.0
+        thread.start()
+        while thread.is_alive():
+            now = time.perf_counter()
+            longest, last = max(longest, now - last), now
+        assert longest < 0.7 * (time.perf_counter() - begin)
+
+
     arguments = (states, states[::-1].copy()) if question == "check_motions" else (states,)
     sent = math.inf
 
