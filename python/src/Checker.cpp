@@ -81,6 +81,8 @@ namespace ompl_certificates_python
     std::size_t Checker::countRows(const Doubles &states, const char *what) const
     {
         const auto dimensions = states.ndim();
+        if (dimensions == 1 && states.size() == 0)
+            return 0;
         if ((dimensions != 1 && dimensions != 2) ||
             static_cast<std::size_t>(states.shape(dimensions - 1)) != rotations_.count)
             throw ompl::Exception(
@@ -93,7 +95,9 @@ namespace ompl_certificates_python
             {
                 const double *q = states.data() + row * rotations_.count + i;
                 const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-                if (std::abs(length - 1.0) > Rotations::QUATERNION_ROUNDING)
+                // What is not finite is no mistake of this kind: such a state is invalid.
+                if (std::abs(length - 1.0) > Rotations::QUATERNION_ROUNDING &&
+                    std::all_of(q, q + 4, [](double part) { return std::isfinite(part); }))
                     throw ompl::Exception(what, (dimensions == 1 ? "" : "row " + std::to_string(row) + ": ") +
                                                     "a quaternion must have length 1, not " + std::to_string(length));
             }

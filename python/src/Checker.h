@@ -36,8 +36,8 @@ namespace ompl_certificates_python
         Checker(const Scene &scene, const std::string &method, const std::string &motion);
 
         /** \brief Which states are valid: one bool for each row of \e states, of shape (n, coordinates) or
-            (coordinates,). Another thread may write to the array meanwhile: a row whose quaternion has not length 1
-            when it is read is not valid.
+            (coordinates,); none of an empty list. A state with a number that is not finite is not valid. Another thread
+            may write to the array meanwhile: a row whose quaternion has not length 1 when it is read is not valid.
             \throws ompl::Exception for another shape, and for a quaternion whose length is not 1 */
         py::array_t<bool> isValid(const Doubles &states) const;
 
@@ -133,7 +133,7 @@ namespace ompl_certificates_python
     private:
         class Row;
 
-        /** \brief The number of rows, after a check of the shape and of all quaternions */
+        /** \brief The number of rows, after a check of the shape and of all quaternions that are finite */
         std::size_t countRows(const Doubles &states, const char *what) const;
 
         /** \brief Refuse what is not one state, by its shape and its quaternions. */

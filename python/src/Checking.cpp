@@ -19,18 +19,24 @@ namespace ompl_certificates_python
 
     namespace
     {
+        /** Whether states of a checker, which are well shaped, are one without rows. An empty list is none. */
+        bool isOneState(const Doubles &states)
+        {
+            return states.ndim() == 1 && states.size() > 0;
+        }
+
         py::object validOf(const Checker &checker, const py::object &object)
         {
             const Doubles states = toDoubles(object, "states");
             py::array_t<bool> valid = checker.isValid(states);
-            return states.ndim() == 1 ? py::object(py::bool_(*valid.data())) : py::object(valid);
+            return isOneState(states) ? py::object(py::bool_(*valid.data())) : py::object(valid);
         }
 
         py::object clearanceOf(const Checker &checker, const py::object &object)
         {
             const Doubles states = toDoubles(object, "states");
             py::array_t<double> clearances = checker.clearance(states);
-            return states.ndim() == 1 ? py::object(py::float_(*clearances.data())) : py::object(clearances);
+            return isOneState(states) ? py::object(py::float_(*clearances.data())) : py::object(clearances);
         }
 
         /** One row for each certificate: the point's coordinates, then its clearance */
@@ -52,10 +58,11 @@ namespace ompl_certificates_python
         void bindBatches(py::class_<Checker, std::shared_ptr<Checker>> &checker)
         {
             checker
-                .def("is_valid", &validOf, py::arg("states"),
-                     "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
-                     "state a bool. Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises "
-                     "KeyboardInterrupt.")
+                .def(
+                    "is_valid", &validOf, py::arg("states"),
+                    "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
+                    "state a bool. One with a number that is not finite is not valid. Bounds are not checked. Other "
+                    "Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt.")
                 .def("clearance", &clearanceOf, py::arg("states"),
                      "Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or "
                      "between links of one arm. In the scene's length unit. Positive if and only if a state is valid, "

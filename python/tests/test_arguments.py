@@ -127,3 +127,12 @@ def test_what_is_raised_while_arrays_are_made_is_told(room: oc.Scene) -> None:
             call(Lazy(TypeError("can't convert a device's tensor\nSee there.")))
     with pytest.raises(oc.Error, match="^states: must be numbers: .* not 'NoneType'$"):
         checker.is_valid([1, None, 1, 1])  # type: ignore[list-item]
+
+
+def test_empty_lists_of_states_have_empty_answers(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    assert checker.is_valid([]).shape == checker.clearance([]).shape == checker.check_motions([], []).shape == (0,)
+    assert checker.is_valid([]).dtype == bool
+    for call in (checker.prove, checker.describe_collision):
+        with pytest.raises(oc.Error):
+            call([])

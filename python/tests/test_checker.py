@@ -91,6 +91,12 @@ def test_angles_wrap_and_quaternions_have_length_one() -> None:
     space.add_robot(box, [1, 1, 1, 0, 0, 0, 1], [9, 9, 9, 0, 0, 0, 1])
     with pytest.raises(oc.Error, match="^states: row 1: a quaternion must have length 1, not 2"):
         oc.Checker(space).is_valid([[1, 1, 1, 0, 0, 0, 1], [1, 1, 1, 0, 0, 0, 2]])
+    for part in (math.nan, math.inf, -math.inf):
+        lost = [1, 1, 1, 0, 0, 0, part]
+        assert not oc.Checker(space).is_valid(lost) and oc.Checker(space).clearance(lost) < 0
+        assert oc.Checker(space).describe_collision(lost) == "a number is not finite"
+        with pytest.raises(oc.Error, match="^path: row 0: all numbers must be finite$"):
+            oc.Checker(space).prove([lost])
 
     # Starts, goals and states may be rounded, as people write them down.
     for digits in (0.707, 0.7071, 0.70710678):
@@ -274,12 +280,6 @@ def test_python_runs_while_a_batch_is_checked(room: oc.Scene) -> None:
     assert longest < 0.7 * (time.perf_counter() - begin)
 
 
-@pytest.mark.parametrize("question", ["is_valid", "clearance", "check_motions"])
-def test_interrupt_ends_a_batch(room: oc.Scene, question: str) -> None:
-    for place in np.random.default_rng(14).uniform(0, 10, (200, 2)):
-        room.add_obstacle(oc.Body.box(0.1, 0.1), place)
-    checker = oc.Checker(room)
-    states = np.random.default_rng(13).uniform(0, 10, (3000000, 4))
 def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> None:
     path = np.tile(room.start, (200000, 1))
     corners = np.random.default_rng(15).uniform(0, 9, (100000, 3))
@@ -297,6 +297,12 @@ def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> 
         assert longest < 0.7 * (time.perf_counter() - begin)
 
 
+@pytest.mark.parametrize("question", ["is_valid", "clearance", "check_motions"])
+def test_interrupt_ends_a_batch(room: oc.Scene, question: str) -> None:
+    for place in np.random.default_rng(14).uniform(0, 10, (200, 2)):
+        room.add_obstacle(oc.Body.box(0.1, 0.1), place)
+    checker = oc.Checker(room)
+    states = np.random.default_rng(13).uniform(0, 10, (3000000, 4))
     arguments = (states, states[::-1].copy()) if question == "check_motions" else (states,)
     sent = math.inf
 
