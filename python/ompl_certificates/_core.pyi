@@ -461,6 +461,8 @@ class Checker:
     def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""
+    def distance(self, starts: ArrayLike, ends: ArrayLike) -> Any: ...
+    def interpolate(self, starts: ArrayLike, ends: ArrayLike, t: ArrayLike) -> NDArray[np.float64]: ...
     def describe_collision(self, state: ArrayLike) -> str:
         """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
         of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,

@@ -48,6 +48,16 @@ namespace ompl_certificates_python
             not checked here in the discrete mode. */
         py::array_t<bool> checkMotions(const Doubles &starts, const Doubles &ends) const;
 
+        /** \brief How far each end is from its start, in the team's space, whatever is in between; NaN if a number of
+            either is not finite. One state serves for many, here and below.
+            \throws ompl::Exception as isValid() does, and if there are not as many of one as of the other */
+        py::array_t<double> distance(const Doubles &starts, const Doubles &ends) const;
+
+        /** \brief States on the team's ways from starts to ends, one in each row, of NaN as above
+            \param fractions how much of the way, from 0 to 1
+            \throws ompl::Exception as above, and for another fraction */
+        Doubles interpolate(const Doubles &starts, const Doubles &ends, const Doubles &fractions) const;
+
         /** \brief What collides in a state, in one line that names the obstacle; empty if it is valid */
         std::string describeCollision(const Doubles &state) const;
 

@@ -39,6 +39,24 @@ namespace ompl_certificates_python
             return isOneState(states) ? py::object(py::float_(*clearances.data())) : py::object(clearances);
         }
 
+        py::object distanceOf(const Checker &checker, const py::object &from, const py::object &to)
+        {
+            const Doubles starts = toDoubles(from, "starts"), ends = toDoubles(to, "ends");
+            py::array_t<double> distances = checker.distance(starts, ends);
+            return isOneState(starts) && isOneState(ends) ? py::object(py::float_(*distances.data()))
+                                                          : py::object(distances);
+        }
+
+        Doubles interpolated(const Checker &checker, const py::object &from, const py::object &to,
+                             const py::object &fractions)
+        {
+            const Doubles starts = toDoubles(from, "starts"), ends = toDoubles(to, "ends"),
+                          times = toDoubles(fractions, "t");
+            Doubles rows = checker.interpolate(starts, ends, times);
+            const bool isOne = isOneState(starts) && isOneState(ends) && times.ndim() == 0;
+            return isOne ? Doubles(rows.reshape({rows.shape(1)})) : rows;
+        }
+
         /** One row for each certificate: the point's coordinates, then its clearance */
         Doubles certificatesOf(const Checker &checker)
         {
@@ -74,6 +92,16 @@ namespace ompl_certificates_python
                     py::arg("starts"), py::arg("ends"),
                     "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
                     "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
+                .def("distance", &distanceOf, py::arg("starts"), py::arg("ends"),
+                     "How far each end is from its start, in the team's own distance, for planners of your own: what "
+                     "plan() counts as length, whatever is in between. For arrays of shape (n, coordinates) an array "
+                     "of shape (n,), for two states a float. One state serves for many. NaN where a number is not "
+                     "finite.")
+                .def("interpolate", &interpolated, py::arg("starts"), py::arg("ends"), py::arg("t"),
+                     "States on the motions from starts to ends that check_motions looks at: t, a number or an array "
+                     "of shape (n,), is how much of the way they are, from 0 to 1. Of shape (n, coordinates), or "
+                     "(coordinates,) for two states and one number. One state, or one number, serves for many. Rows "
+                     "of NaN where a number is not finite.")
                 .def(
                     "describe_collision",
                     [](const Checker &self, const py::object &state)

@@ -133,6 +133,7 @@ def test_empty_lists_of_states_have_empty_answers(room: oc.Scene) -> None:
     checker = oc.Checker(room)
     assert checker.is_valid([]).shape == checker.clearance([]).shape == checker.check_motions([], []).shape == (0,)
     assert checker.is_valid([]).dtype == bool
+    assert checker.distance([], []).shape == (0,) and checker.interpolate([], [], []).shape == (0, 4)
     for call in (checker.prove, checker.describe_collision):
         with pytest.raises(oc.Error):
             call([])
