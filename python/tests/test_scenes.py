@@ -355,3 +355,36 @@ def test_messages_call_an_obstacle_by_its_name() -> None:
     assert checker.describe_collision([5, 8]) == "robot 'disc' touches environment.obstacles[1]"
     with pytest.raises(oc.Error, match="name: must not have a line break"):
         scene.add_obstacle(oc.Body.box(1, 1), (5, 5), name="two\nlines")
+
+
+def test_obstacles_of_the_plane_stand_upright(room: oc.Scene) -> None:
+    tilted = np.array([[1, 0, 0, 5], [0, 0, -1, 5], [0, 1, 0, 0], [0, 0, 0, 1.0]])
+    lifted = np.eye(4)
+    lifted[2, 3] = 0.1
+    checker = oc.Checker(room)
+    for pose in (tilted, lifted):
+        with pytest.raises(oc.Error, match=r"^room: environment\.obstacles\[1\]: must stand upright, and at z = 0"):
+            room.add_obstacle(oc.Body.box(1, 2), pose)
+        with pytest.raises(oc.Error, match="^room: 'beam': must stand upright"):
+            room.add_obstacle(oc.Body.box(1, 2), pose, "beam")
+        with pytest.raises(oc.Error, match="must stand upright"):
+            checker.add_obstacle(oc.Body.box(1, 2), pose)
+        with pytest.raises(oc.Error, match="^obstacle 0: .* must stand upright"):
+            checker.change_obstacles(move={0: pose})
+    room.add_obstacle(oc.Body.mesh(CUBE, FACES, dimension=2), lifted)
+    rounded = np.eye(4)
+    rounded[2, 3] = 1e-13
+    assert room.add_obstacle(oc.Body.box(1, 2), rounded) == 2
+
+
+def test_names_of_coordinates_do_not_clash() -> None:
+    scene = oc.Scene([0, 0], [20, 20], "yard")
+    box, disc = oc.Body.box(1, 0.5), oc.Body.disc(0.3)
+    car = oc.Robot.car_with_trailer("c", box, box, 1.2, [0, 0], [20, 20])
+    scene.add_robot(car, [5, 5, 0, 0], [15, 5, 0, 0])
+    clashing = oc.Robot.rigid("c.car", disc, [0, 0], [20, 20], turns=False)
+    message = r"^yard: robots\[1\]\.name: the robots 'c' and 'c.car' would both have a coordinate 'c.car.x'$"
+    with pytest.raises(oc.Error, match=message):
+        scene.add_robot(clashing, [5, 15], [15, 15])
+    scene.add_robot(oc.Robot.rigid("c.d", disc, [0, 0], [20, 20], turns=False), [5, 15], [15, 15])
+    assert len(set(scene.coordinates)) == 6

@@ -30,7 +30,14 @@ namespace ompl_certificates
     void ObstacleSet::move(Id obstacle, const Pose &pose)
     {
         PlacedBody &moved = find(obstacle)->second;
-        FclObstacles::requireObstacle({moved.body, pose}, dimension_);
+        try
+        {
+            FclObstacles::requireObstacle({moved.body, pose}, dimension_);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            throw ompl::Exception("obstacle " + std::to_string(obstacle), exception.what());
+        }
         moved.pose = pose;
     }
 

@@ -1,6 +1,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
 #include "SceneCollision.h"
+#include "geometry/RigidPose.h"
 #include "ompl_certificates/control/Car.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
@@ -86,6 +87,9 @@ namespace ompl_certificates
                                                " dimensions, not " + std::to_string(obstacle.body.getDimension()));
         if (obstacle.body.getPadding() > 0.0)
             throw ompl::Exception(source_, name + ": has a padding, which the robots are to have");
+        for (const Body::Part &part : obstacle.body.getParts())
+            if (Pose pose = rigidPose(obstacle.pose, "'" + name + "'") * part.pose; !part.shape.snapToPlane(pose))
+                throw ompl::Exception(source_, name + ": must stand upright, and at z = 0 if it is no mesh");
         obstacles_.push_back(obstacle);
         obstacleTitles_.push_back(name);
     }
@@ -114,9 +118,15 @@ namespace ompl_certificates
             throw ompl::Exception(source_, key + ": must have " + std::to_string(getDimension()) + " dimensions, not " +
                                                std::to_string(member.robot->getWorkspaceDimension()));
         for (const Member &other : members_)
+        {
             if (other.robot->getName() == member.robot->getName())
                 throw ompl::Exception(source_,
                                       key + ".name: there is a robot called '" + member.robot->getName() + "' already");
+            if (const std::string both = sharedCoordinate(*other.robot, *member.robot); !both.empty())
+                throw ompl::Exception(source_, key + ".name: the robots '" + other.robot->getName() + "' and '" +
+                                                   member.robot->getName() + "' would both have a coordinate '" + both +
+                                                   "'");
+        }
         const auto &space = member.robot->getStateSpace();
         const std::size_t expected = space->getValueLocations().size();
         try

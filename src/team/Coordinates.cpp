@@ -121,6 +121,21 @@ namespace ompl_certificates
         return names;
     }
 
+    std::string sharedCoordinate(const Robot &first, const Robot &second)
+    {
+        const auto startsWith = [](const std::string &text, const std::string &start)
+        { return text.compare(0, start.size(), start) == 0; };
+        const std::string prefix = first.getName() + '.', other = second.getName() + '.';
+        if (!startsWith(prefix, other) && !startsWith(other, prefix))
+            return "";
+        const std::vector<std::string> names = coordinateNames(first);
+        for (const std::string &name : coordinateNames(second))
+            for (const std::string &own : names)
+                if (prefix + own == other + name)
+                    return prefix + own;
+        return "";
+    }
+
     std::vector<CoordinateBounds> coordinateBounds(const ob::StateSpace &space)
     {
         std::vector<CoordinateBounds> bounds;

@@ -331,6 +331,12 @@ namespace ompl_certificates
         EXPECT_THROW(scene.validate(), ompl::Exception);
         EXPECT_THROW(scene.addObstacle({Body::sphere(0.1)}), ompl::Exception);
         EXPECT_THROW(scene.addMember({}), ompl::Exception);
+        Pose lifted = planarPose(0.5, 0.5);
+        lifted.translation().z() = 0.1;
+        const Pose tilted(planarPose(0.5, 0.5) * Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()));
+        EXPECT_THROW(scene.addObstacle({Body::box(0.1, 0.1), lifted}), ompl::Exception);
+        EXPECT_THROW(scene.addObstacle({Body::box(0.1, 0.1), tilted}), ompl::Exception);
+        EXPECT_TRUE(scene.getObstacles().empty());
         for (const double bad : {1.0, 1e-7, -0.1, std::nan("")})
             EXPECT_THROW(scene.setResolution(bad), ompl::Exception);
         EXPECT_THROW(Scene("room", "room.yaml", ompl::base::RealVectorBounds(4)), ompl::Exception);

@@ -127,7 +127,8 @@ namespace ompl_certificates
 
         /** \brief Add an obstacle
             \param title what messages call it; environment.obstacles[i] if empty
-            \throws ompl::Exception if it has not the workspace's dimension */
+            \throws ompl::Exception if it has not the workspace's dimension, has a padding, has a pose that is none, or
+            does not stand upright in the plane */
         void addObstacle(const PlacedBody &obstacle, const std::string &title = "");
 
         /** \brief Add obstacles that are no bodies, such as a point cloud. If there is nothing in them, a note says so.
@@ -136,10 +137,10 @@ namespace ompl_certificates
         void addSensedObstacles(const ObstaclesPtr &obstacles, const std::string &title);
 
         /** \brief Add a robot
-            \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
-            start or goal has not the number of coordinates that the robot's space has, or the goal is not in the
-            region. The goal may be empty if there is a region: then a state of it is taken, and it is an error if none
-            is found. */
+            \throws ompl::Exception if the robot is null, its name or that of a coordinate is taken (see
+            sharedCoordinate()), it has not the workspace's dimension, or start or goal has not the number of
+            coordinates that the robot's space has, or the goal is not in the region. The goal may be empty if there is
+            a region: then a state of it is taken, and it is an error if none is found. */
         void addMember(const Member &member);
 
         /** \brief For robots with regions take the goal that is nearest to the start, of 10 in which the team is free.

@@ -17,6 +17,10 @@ namespace ompl_certificates
     /** \brief The names of a robot's coordinates: those above without its name */
     std::vector<std::string> coordinateNames(const Robot &robot);
 
+    /** \brief A name that a coordinate of each would have in a team of both, such as c.car.x of a car with a trailer that
+        is called c, and of a disc that is called c.car; empty if there is none. */
+    std::string sharedCoordinate(const Robot &first, const Robot &second);
+
     /** \brief From where to where a coordinate may be */
     struct CoordinateBounds
     {
