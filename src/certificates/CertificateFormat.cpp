@@ -118,7 +118,7 @@ namespace ompl_certificates
         if (count * bytesEach != room || take<std::uint32_t>(bytes, end) != checksumOf(bytes, HEAD_BYTES + room))
             refuse("is damaged: its checksum is wrong");
         if (fileDimension != obstacles.dimension || fileFingerprint != obstacles.fingerprint)
-            refuse("is of other obstacles. If these have changed since, load it before changeObstacles()");
+            refuse("is of other obstacles. If these have changed since, load it before they do");
 
         std::vector<Certificate> certificates(count);
         for (Certificate &certificate : certificates)

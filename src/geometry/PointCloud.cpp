@@ -1,5 +1,7 @@
 #include "ompl_certificates/geometry/PointCloud.h"
 
+#include "ShortestText.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +41,7 @@ namespace ompl_certificates
                     throw ompl::Exception(
                         "A point of a cloud to be thinned must be finite and nearer than 10^9 cells "
                         "of size " +
-                        std::to_string(cell) + " to the origin");
+                        shortestText(cell) + " to the origin");
                 for (Eigen::Index axis = 0; axis < 3; ++axis)
                     binned[i].cell[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(lowest[axis]);
                 binned[i].fromCenter = static_cast<float>((scaled - lowest - 0.5).matrix().norm());
@@ -59,8 +61,7 @@ namespace ompl_certificates
     PointCloud thinned(PointCloud cloud, double cell)
     {
         if (!(cell > 0.0) || !std::isfinite(cell))
-            throw ompl::Exception("The cell of a thinned cloud must be positive and finite, not " +
-                                  std::to_string(cell));
+            throw ompl::Exception("The cell of a thinned cloud must be positive and finite, not " + shortestText(cell));
         std::vector<Binned> binned = inCells(cloud.points, cell);
         std::sort(binned.begin(), binned.end());
         PointCloud thin;
