@@ -74,10 +74,12 @@ __all__ = [
     "scene_from_yaml",
 ]
 
-Parameter = Union[str, int, float, bool, "np.integer[Any]", "np.floating[Any]", np.bool_]
+Whole = Union[int, "np.integer[Any]"]
+Number = Union[float, "np.floating[Any]", Whole]
+Parameter = Union[str, bool, np.bool_, Number]
 
 
-def _require_range(name: str, number: object, most: int) -> None:
+def _require_range(name: str, number: object, most: Whole) -> None:
     """Raise an Error that names an argument which is no whole number from 1 to most."""
     if not isinstance(number, (int, np.integer)):
         raise Error(f"{name}: must be a whole number, not {number!r}")
@@ -91,8 +93,13 @@ def _require_kind(name: str, value: object, kind: Union[type, tuple[type, ...]],
         raise Error(f"{name}: must be {what}, not {value!r}")
 
 
-def _require_options(time: object, iterations: Optional[int], seed: int, parameters: object) -> None:
+def _require_options(
+    planner: object, time: object, iterations: Optional[Whole], seed: Whole, parameters: Optional[Mapping[Any, Any]]
+) -> None:
     """Raise an Error for what no plan can be made of."""
+    # What Python takes for false is no default.
+    if planner is not None and (not isinstance(planner, str) or not planner):
+        raise Error(f"planner: must be the name of one, not {planner!r}")
     _require_kind("time", time, (int, float, np.integer, np.floating), "a number")
     if iterations is not None:
         _require_range("iterations", iterations, 2**64 - 1)
@@ -100,19 +107,21 @@ def _require_options(time: object, iterations: Optional[int], seed: int, paramet
     _require_range("seed", seed, 2**32 - 1)
     if parameters is not None:
         _require_kind("parameters", parameters, Mapping, "a dict from names to values")
+        for name in parameters:
+            _require_kind("parameters", name, str, "a dict from names to values, and names must be texts")
 
 
 def plan(
     scene: Union[Scene, Checker],
     planner: Optional[str] = None,
     method: Optional[str] = None,
-    time: float = 10.0,
-    seed: int = 1,
+    time: Number = 10.0,
+    seed: Whole = 1,
     callback: Optional[Callable[[float, float], object]] = None,
     *,
     motion: Optional[str] = None,
     objective: str = "length",
-    iterations: Optional[int] = None,
+    iterations: Optional[Whole] = None,
     first: bool = False,
     simplify: bool = False,
     parameters: Optional[Mapping[str, Parameter]] = None,
@@ -143,7 +152,7 @@ def plan(
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states. What was found
     by then is not lost: it is the exception's attribute plan.
     """
-    _require_options(time, iterations, seed, parameters)
+    _require_options(planner, time, iterations, seed, parameters)
     if isinstance(scene, Checker):
         for name, value in (("method", method), ("motion", motion)):
             if value is not None:
@@ -177,20 +186,20 @@ def plan_controls(
     scene: Scene,
     planner: Optional[str] = None,
     method: str = "shared",
-    time: float = 10.0,
-    seed: int = 1,
+    time: Number = 10.0,
+    seed: Whole = 1,
     callback: Optional[Callable[[float, float], object]] = None,
     *,
     motion: str = "discrete",
-    goal_tolerance: float = 0.5,
-    iterations: Optional[int] = None,
+    goal_tolerance: Number = 0.5,
+    iterations: Optional[Whole] = None,
     nearest: str = "kdtree",
     parameters: Optional[Mapping[str, Parameter]] = None,
     start: Optional[ArrayLike] = None,
     goal: Optional[ArrayLike] = None,
-    step: float = 0.1,
-    min_steps: int = 1,
-    max_steps: int = 10,
+    step: Number = 0.1,
+    min_steps: Whole = 1,
+    max_steps: Whole = 10,
     simplify: bool = False,
 ) -> ControlPlan:
     """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
@@ -212,7 +221,7 @@ def plan_controls(
     """
     if not isinstance(scene, Scene):
         raise Error(f"scene: must be a Scene, not a {type(scene).__name__}")
-    _require_options(time, iterations, seed, parameters)
+    _require_options(planner, time, iterations, seed, parameters)
     # A control is held to its end, whatever the time: more would not end in time, and Ctrl-C would wait.
     _require_range("max_steps", max_steps, 10**6)
     _require_range("min_steps", min_steps, max_steps)

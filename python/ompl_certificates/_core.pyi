@@ -10,7 +10,12 @@ __version__: str
 
 Path = Union[str, os.PathLike[str]]
 
-Limits = Union[float, Tuple[float, float]]
+Whole = Union[int, np.integer[Any]]
+Number = Union[float, np.floating[Any], Whole]
+
+Numbers = Union[Sequence[Number], NDArray[Any]]
+Corners = Union[Sequence[ArrayLike], NDArray[Any]]
+Limits = Union[Number, Numbers]
 
 class Error(RuntimeError):
     """What was given makes no sense; one line that names the file or the argument, and the value."""
@@ -18,22 +23,22 @@ class Error(RuntimeError):
 class Body:
     """A rigid body: one or more shapes in its own frame. Lengths are in the scene's unit."""
     @staticmethod
-    def disc(radius: float) -> Body:
+    def disc(radius: Number) -> Body:
         """A disc, in the plane; radius 0 is a point"""
     @staticmethod
-    def sphere(radius: float) -> Body:
+    def sphere(radius: Number) -> Body:
         """A sphere, in space; radius 0 is a point"""
     @staticmethod
-    def box(x: float, y: float, z: Optional[float] = None) -> Body:
+    def box(x: Number, y: Number, z: Optional[Number] = None) -> Body:
         """A rectangle about the origin, or with z a box, with these extents"""
     @staticmethod
-    def planar_capsule(radius: float, length: float) -> Body:
+    def planar_capsule(radius: Number, length: Number) -> Body:
         """All points of the plane within radius of a segment along x about the origin"""
     @staticmethod
-    def capsule(radius: float, length: float) -> Body:
+    def capsule(radius: Number, length: Number) -> Body:
         """All points of space within radius of a segment along z about the origin"""
     @staticmethod
-    def cylinder(radius: float, length: float) -> Body:
+    def cylinder(radius: Number, length: Number) -> Body:
         """A cylinder along z about the origin, in space"""
     @staticmethod
     def convex(points: ArrayLike) -> Body:
@@ -42,11 +47,11 @@ class Body:
     def convex_hull(points: ArrayLike) -> Body:
         """The convex hull of at most 256 points, of shape (n, 2) or (n, 3)"""
     @staticmethod
-    def mesh(vertices: ArrayLike, faces: ArrayLike, dimension: int = 3) -> Body:
+    def mesh(vertices: ArrayLike, faces: ArrayLike, dimension: Whole = 3) -> Body:
         """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:
         it keeps its z, and moves in x and y."""
     @staticmethod
-    def mesh_file(file: Path, dimension: int = 3, keep_axes: bool = False, scale: float = 1.0) -> Body:
+    def mesh_file(file: Path, dimension: Whole = 3, keep_axes: bool = False, scale: Number = 1.0) -> Body:
         """The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in OMPL.app, unless
         keep_axes is true, as in ROS. scale is 0.001 for a file in millimeters and a scene in meters."""
     @staticmethod
@@ -61,7 +66,7 @@ class Body:
     def signed_distance(self, points: ArrayLike) -> NDArray[np.float64]:
         """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
         (n,)"""
-    def padded(self, padding: float) -> Body:
+    def padded(self, padding: Number) -> Body:
         """The same shapes with a padding: a body that keeps this distance from obstacles, exactly, with round corners.
         Two robots keep the sum of their paddings. It takes the place of a padding that the body has; 0 for none."""
     @property
@@ -153,24 +158,24 @@ class ArmFile:
         group: str = "",
         name: Optional[str] = None,
         base: Optional[ArrayLike] = None,
-        joint_values: Mapping[str, float] = ...,
-        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        joint_values: Mapping[str, Number] = ...,
+        bounds: Optional[Corners] = None,
         attached: Sequence[AttachedBody] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
         may_touch_obstacles: Sequence[str] = ...,
-        padding: Union[float, Mapping[str, float]] = 0.0,
+        padding: Union[Number, Mapping[str, Number]] = 0.0,
     ) -> Robot:
         """An arm. The arguments are those of Robot.arm."""
     def arms(
         self,
         groups: Mapping[str, str],
         base: Optional[ArrayLike] = None,
-        joint_values: Mapping[str, float] = ...,
-        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        joint_values: Mapping[str, Number] = ...,
+        bounds: Optional[Corners] = None,
         attached: Sequence[AttachedBody] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
         may_touch_obstacles: Sequence[str] = ...,
-        padding: Union[float, Mapping[str, float]] = 0.0,
+        padding: Union[Number, Mapping[str, Number]] = 0.0,
     ) -> List[Robot]:
         """The arms of one mechanism. The arguments are those of Robot.arms."""
 
@@ -183,7 +188,7 @@ class Robot:
         low: ArrayLike,
         high: ArrayLike,
         turns: bool = True,
-        turning_radius: Optional[float] = None,
+        turning_radius: Optional[Number] = None,
         *,
         keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
@@ -196,7 +201,7 @@ class Robot:
         name: str,
         car: Body,
         trailer: Body,
-        hitch_length: float,
+        hitch_length: Number,
         low: ArrayLike,
         high: ArrayLike,
         *,
@@ -242,10 +247,10 @@ class Robot:
         high: ArrayLike,
         speed: Limits,
         steering: Limits,
-        wheelbase: float,
+        wheelbase: Number,
         trailer: Optional[Body] = None,
-        hitch_length: Optional[float] = None,
-        max_hinge_angle: Optional[float] = None,
+        hitch_length: Optional[Number] = None,
+        max_hinge_angle: Optional[Number] = None,
         *,
         keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
@@ -260,14 +265,14 @@ class Robot:
         group: str = "",
         name: Optional[str] = None,
         base: Optional[ArrayLike] = None,
-        joint_values: Mapping[str, float] = ...,
-        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        joint_values: Mapping[str, Number] = ...,
+        bounds: Optional[Corners] = None,
         attached: Sequence[AttachedBody] = ...,
         packages: Mapping[str, Path] = ...,
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
-        padding: Union[float, Mapping[str, float]] = 0.0,
+        padding: Union[Number, Mapping[str, Number]] = 0.0,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
@@ -285,14 +290,14 @@ class Robot:
         srdf: Path,
         groups: Mapping[str, str],
         base: Optional[ArrayLike] = None,
-        joint_values: Mapping[str, float] = ...,
-        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        joint_values: Mapping[str, Number] = ...,
+        bounds: Optional[Corners] = None,
         attached: Sequence[AttachedBody] = ...,
         packages: Mapping[str, Path] = ...,
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
         touchable: Sequence[TouchableObstacle] = ...,
-        padding: Union[float, Mapping[str, float]] = 0.0,
+        padding: Union[Number, Mapping[str, Number]] = 0.0,
     ) -> List[Robot]:
         """The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of joints
         that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link belongs to the robot
@@ -327,7 +332,7 @@ class Robot:
         """Of an arm, the name of the link of each body"""
     def link_pose(self, state: ArrayLike, link: str) -> NDArray[np.float64]:
         """Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape (4, 4)"""
-    def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: int = 1, seed: int = 1) -> NDArray[np.float64]:
+    def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: Whole = 1, seed: Whole = 1) -> NDArray[np.float64]:
         """Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are
         found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
     def goal_distance(self, goal: Union[AnyOf, LinkPose, Zone], state: ArrayLike) -> float:
@@ -345,16 +350,16 @@ class Scene:
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None, name: str = "") -> int:
         """Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, (x, y, z) or
         (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix. Messages call it by its name, if it has one."""
-    def add_cloud(self, points: ArrayLike, radius: float, cell: float = 0.0) -> int:
+    def add_cloud(self, points: ArrayLike, radius: Number, cell: Number = 0.0) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud,
         from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one
         in each cell of a grid; the radius grows, so that all that was occupied still is, and what Checker.change_cloud
         inserts has that larger radius, too. In a planar scene points of shape (n, 2) are in the robots' way at any
         height. Of those of shape (n, 3) only the ones count that a robot reaches with its meshes; so add the robots
         first. Robots of other shapes reach all heights, so leave out the floor before."""
-    def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
+    def add_cloud_file(self, file: Path, radius: Number, cell: Number = 0.0) -> int:
         """The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv"""
-    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
+    def add_grid(self, occupied: ArrayLike, size: Number, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, grids and
         maps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in the plane or (nx, ny, nz). Cell
         (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from origin on, by default 0; first is the index of
@@ -365,10 +370,10 @@ class Scene:
     def add_octomap_file(
         self,
         file: Path,
-        depth: int = 16,
+        depth: Whole = 16,
         unknown_occupied: bool = False,
-        heights: Optional[Tuple[float, float]] = None,
-        origin: Sequence[float] = (),
+        heights: Optional[Numbers] = None,
+        origin: Numbers = (),
     ) -> int:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
@@ -377,14 +382,14 @@ class Scene:
     def add_octomap(
         self,
         data: Union[bytes, ArrayLike],
-        resolution: float,
+        resolution: Number,
         binary: bool = True,
         id: str = "OcTree",
         *,
-        depth: int = 16,
+        depth: Whole = 16,
         unknown_occupied: bool = False,
-        heights: Optional[Tuple[float, float]] = None,
-        origin: Sequence[float] = (),
+        heights: Optional[Numbers] = None,
+        origin: Numbers = (),
     ) -> int:
         """The same, from the fields of ROS's message octomap_msgs/Octomap: data as bytes, an array or a list of
         numbers."""
@@ -393,8 +398,8 @@ class Scene:
         robot: Robot,
         start: ArrayLike,
         goal: Union[ArrayLike, AnyOf, LinkPose, Zone],
-        weight: float = 1.0,
-        speed: float = 1.0,
+        weight: Number = 1.0,
+        speed: Number = 1.0,
     ) -> None:
         """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
         an arm, a Zone, or an AnyOf. speed is how much of its distance it moves in a unit of time: times of plans, and
@@ -435,7 +440,7 @@ class Scene:
     resolution: float
     """The longest step between samples of a motion, as a fraction of each robot's extent: from 1e-6 to below 1, or 0
     for OMPL's own"""
-    def first_robots(self, count: int) -> Scene:
+    def first_robots(self, count: Whole) -> Scene:
         """The same scene with the first robots alone"""
     def validate(self) -> None:
         """Raise an Error unless the team can stand at its start and goal."""
@@ -474,53 +479,53 @@ class Checker:
         Scene.state_bounds."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
-    def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:
+    def move_obstacle(self, obstacle: Whole, pose: Optional[ArrayLike]) -> None:
         """Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned."""
-    def remove_obstacle(self, obstacle: int) -> None:
+    def remove_obstacle(self, obstacle: Whole) -> None:
         """Remove an obstacle."""
     def change_obstacles(
         self,
         *,
         add: Sequence[Tuple[Body, Optional[ArrayLike]]] = (),
-        move: Mapping[int, ArrayLike] = {},
-        remove: Sequence[int] = (),
+        move: Mapping[Any, ArrayLike] = {},
+        remove: Union[Sequence[Whole], NDArray[Any]] = (),
     ) -> List[int]:
         """Change many obstacles, all at once: remove those of some numbers, move others to the poses of a dict from
         numbers to poses, and add pairs of a body and its pose. Returns the numbers of those that are added. Each change
         takes time in proportion to all obstacles, so one is faster than many. Where it raises an Error, nothing has
         changed."""
-    def add_cloud(self, points: ArrayLike, radius: float) -> int:
+    def add_cloud(self, points: ArrayLike, radius: Number) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud.
         All within radius of a point is occupied. In a planar scene the same points count as of Scene.add_cloud, for the
         checker's robots."""
     def change_cloud(
         self,
-        cloud: int,
+        cloud: Whole,
         *,
         insert: Optional[ArrayLike] = None,
         remove: Optional[ArrayLike] = None,
-        clear: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        clear: Optional[Corners] = None,
     ) -> None:
         """Change a cloud, all at once: remove points of exactly these coordinates and all within the box clear = (low,
         high), which may be infinite; then insert others. The scene's own clouds have the numbers that Scene.add_cloud
         returned. Time goes with the points that come and go. Where it raises an Error, nothing has changed. Points have
         the cloud's radius, and the shapes of add_cloud: in a planar scene those of shape (n, 3) that no robot reaches
         do not count, in insert and in remove."""
-    def cloud_points(self, cloud: int) -> NDArray[np.float64]:
+    def cloud_points(self, cloud: Whole) -> NDArray[np.float64]:
         """The points of a cloud now, of shape (n, dimension), in no order"""
-    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
+    def add_grid(self, occupied: ArrayLike, size: Number, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number."""
-    def change_grid(self, grid: int, occupied: ArrayLike, first: ArrayLike = ()) -> None:
+    def change_grid(self, grid: Whole, occupied: ArrayLike, first: ArrayLike = ()) -> None:
         """Set which cells of a grid are occupied, all at once: those that the array covers, whose first one has the
         index first. Others stay. The scene's own grids and maps have the numbers that Scene.add_grid and the like
         returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has changed."""
     def without_robots(
-        self, points: ArrayLike, state: ArrayLike, *, padding: float = 0.0
+        self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0
     ) -> NDArray[np.float64]:
         """Those of the points, of shape (n, dimension), that are no part of the team where it was when a sensor saw
         them. Leaves out points inside a robot's body or nearer to it than padding: the radius of the cloud, and the
         errors of the sensor and of the state. Also rows that are not finite, where a sensor saw nothing."""
-    def find_robots(self, points: ArrayLike, state: ArrayLike, *, padding: float = 0.0) -> NDArray[np.bool_]:
+    def find_robots(self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0) -> NDArray[np.bool_]:
         """Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask for colors and
         intensities. Rows that are not finite are none."""
     def certificates(self) -> NDArray[np.float64]:
@@ -534,7 +539,7 @@ class Checker:
         """How checks were settled so far, as in the report of a plan"""
     def reset_statistics(self) -> None:
         """Set all counts to 0."""
-    def set_max_certificates(self, most: Optional[int]) -> None:
+    def set_max_certificates(self, most: Optional[Whole]) -> None:
         """Keep at most so many certificates, of obstacles and of pairs of robots together, or as many as come up (None,
         the default). At the limit none are added. A world that changes for hours needs one: each change looks at the
         certificates near it."""
@@ -589,7 +594,7 @@ class Plan:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
         looked at until one collides. Raises Error if there is no path."""
-    def save(self, file: Path, *, step: Optional[float] = None) -> None:
+    def save(self, file: Path, *, step: Optional[Number] = None) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line at each
         multiple of it in time, too, such as the period of a controller."""
     def save_report(self, file: Path) -> None:
@@ -681,9 +686,9 @@ def planner_names() -> List[str]:
 def _plan(
     checker: Checker,
     planner: str,
-    time: float,
-    iterations: int,
-    seed: int,
+    time: Number,
+    iterations: Whole,
+    seed: Whole,
     callback: Optional[Callable[[float, float], object]],
     objective: str,
     first: bool,
@@ -700,18 +705,18 @@ def _plan_controls(
     scene: Scene,
     planner: str,
     method: str,
-    time: float,
-    iterations: int,
-    seed: int,
+    time: Number,
+    iterations: Whole,
+    seed: Whole,
     callback: Optional[Callable[[float, float], object]],
     motion: str,
-    goal_tolerance: float,
+    goal_tolerance: Number,
     nearest: str,
     parameters: Mapping[str, Any],
     start: Optional[ArrayLike],
     goal: Optional[ArrayLike],
-    step: float,
-    min_steps: int,
-    max_steps: int,
+    step: Number,
+    min_steps: Whole,
+    max_steps: Whole,
     simplify: bool,
 ) -> ControlPlan: ...
