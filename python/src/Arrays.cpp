@@ -85,7 +85,7 @@ namespace ompl_certificates_python
             return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
         }
 
-        /** Indices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
+        /** Indices of vertices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
         Numbers<std::int64_t> toIndices(const py::object &object, const std::string &what)
         {
             requireUnmasked(object, what);
@@ -102,7 +102,14 @@ namespace ompl_certificates_python
                         throw ompl::Exception(what, "must be whole numbers, not " + std::to_string(number));
                 }
             }
-            else if (kind != 'i' && kind != 'u')
+            else if (kind == 'u')
+            {
+                const auto numbers = toArray<Numbers<std::uint64_t>>(array, what, "whole numbers");
+                for (py::ssize_t i = 0; i < numbers.size(); ++i)
+                    if (numbers.data()[i] > std::numeric_limits<std::uint32_t>::max())
+                        throw ompl::Exception(what, "there is no vertex " + std::to_string(numbers.data()[i]));
+            }
+            else if (kind != 'i')
                 throw ompl::Exception(what, "must be whole numbers");
             return toArray<Numbers<std::int64_t>>(array, what, "whole numbers");
         }

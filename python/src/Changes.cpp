@@ -2,6 +2,7 @@
 
 #include "Gil.h"
 #include "Mappings.h"
+#include "Numbers.h"
 
 #include <ompl_certificates/team/RobotFilter.h>
 
@@ -53,7 +54,7 @@ namespace ompl_certificates_python
             return checker.addCloud(std::move(points), radius);
         }
 
-        void changeCloud(Checker &checker, std::size_t cloud, const py::object &inserted, const py::object &removed,
+        void changeCloud(Checker &checker, Number cloud, const py::object &inserted, const py::object &removed,
                          const std::optional<Box> &cleared)
         {
             const auto points = [&checker](const py::object &object, const char *what)
@@ -64,7 +65,7 @@ namespace ompl_certificates_python
             checker.changeCloud(cloud, std::move(change));
         }
 
-        Doubles cloudPoints(const Checker &checker, std::size_t cloud)
+        Doubles cloudPoints(const Checker &checker, Number cloud)
         {
             const auto points = [&]
             {
@@ -146,18 +147,29 @@ namespace ompl_certificates_python
                      "for colors and intensities. Rows that are not finite are none.");
         }
 
-        std::vector<ObstacleSet::Id> changeObstacles(Checker &checker, const std::vector<Placed> &added,
-                                                     const Mapping<ObstacleSet::Id, py::object> &moved,
-                                                     const std::vector<ObstacleSet::Id> &removed)
+        /** Refuse numbers of which one is there twice. */
+        void requireOnce(std::vector<Number> numbers)
         {
+            std::sort(numbers.begin(), numbers.end());
+            const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
+            if (twice != numbers.end())
+                throw ompl::Exception("remove", "obstacle " + std::to_string(twice->value) + " is there twice");
+        }
+
+        std::vector<ObstacleSet::Id> changeObstacles(Checker &checker, const std::vector<Placed> &added,
+                                                     const Mapping<Number, py::object> &moved,
+                                                     const std::vector<Number> &removed)
+        {
+            requireOnce(removed);
             BodyChange change;
             change.added = toPlacedBodies(added, checker.getDimension());
             for (const auto &[number, pose] : moved)
                 change.moved.emplace(number, toPose(pose, checker.getDimension()));
-            change.removed = removed;
-            for (const ObstacleSet::Id number : removed)
+            change.removed.assign(removed.begin(), removed.end());
+            for (const Number number : removed)
                 if (moved.count(number) > 0)
-                    throw ompl::Exception("remove", "obstacle " + std::to_string(number) + " is to be moved as well");
+                    throw ompl::Exception("remove",
+                                          "obstacle " + std::to_string(number.value) + " is to be moved as well");
             const GilRelease release;
             return checker.changeObstacles(change);
         }
@@ -173,18 +185,17 @@ namespace ompl_certificates_python
                     py::arg("body"), py::arg("pose") = py::none(), "Add an obstacle and return its number.")
                 .def(
                     "move_obstacle",
-                    [](Checker &self, ObstacleSet::Id obstacle, const py::object &pose) {
+                    [](Checker &self, Number obstacle, const py::object &pose) {
                         changeObstacles(self, {}, {{obstacle, pose}}, {});
                     },
                     py::arg("obstacle"), py::arg("pose"),
                     "Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned.")
                 .def(
                     "remove_obstacle",
-                    [](Checker &self, ObstacleSet::Id obstacle) { changeObstacles(self, {}, {}, {obstacle}); },
+                    [](Checker &self, Number obstacle) { changeObstacles(self, {}, {}, {obstacle}); },
                     py::arg("obstacle"), "Remove an obstacle.")
                 .def("change_obstacles", &changeObstacles, py::kw_only(), py::arg("add") = std::vector<Placed>(),
-                     py::arg("move") = Mapping<ObstacleSet::Id, py::object>(),
-                     py::arg("remove") = std::vector<ObstacleSet::Id>(),
+                     py::arg("move") = Mapping<Number, py::object>(), py::arg("remove") = std::vector<Number>(),
                      "Change many obstacles, all at once: remove those of some numbers, move others to the poses of a "
                      "dict from numbers to poses, and add pairs of a body and its pose. Returns the numbers of those "
                      "that are added. Each change takes time in proportion to all obstacles, so one is faster than "
@@ -200,7 +211,7 @@ namespace ompl_certificates_python
             return checker.addGrid(cells, size, corner);
         }
 
-        void changeGrid(Checker &checker, std::size_t grid, const py::object &occupied,
+        void changeGrid(Checker &checker, Number grid, const py::object &occupied,
                         const std::vector<std::int64_t> &first)
         {
             const auto cells = toCells(occupied, first, checker.getDimension());

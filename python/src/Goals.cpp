@@ -253,7 +253,11 @@ namespace ompl_certificates_python
                 "among them are taken out of it.")
             .def_readonly("goals", &AnyOf::goals, "The goals: a list")
             .def("__repr__",
-                 [](const AnyOf &self) { return "<AnyOf " + std::to_string(self.goals.size()) + " goals>"; });
+                 [](const AnyOf &self)
+                 {
+                     const std::size_t count = self.goals.size();
+                     return "<AnyOf " + std::to_string(count) + (count == 1 ? " goal>" : " goals>");
+                 });
 
         py::class_<PoseOfLink>(module, "LinkPose",
                                "Where a link of an arm shall be, such as its tool: a goal of all states in which it is "

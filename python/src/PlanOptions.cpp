@@ -1,4 +1,6 @@
 #include "PlanOptions.h"
+
+#include "Numbers.h"
 #include "Quiet.h"
 
 #include <ompl_certificates/planning/Planners.h>
@@ -27,13 +29,9 @@ namespace ompl_certificates_python
 
     void setParameters(ob::Planner &planner, const PlanOptions &options)
     {
-        const py::object numpyBool = py::module_::import("numpy").attr("bool_");
         for (const auto &[key, value] : options.parameters)
-        {
-            const bool isBool = py::isinstance<py::bool_>(value) || py::isinstance(value, numpyBool);
-            ompl_certificates::setParameter(planner, key,
-                                            isBool ? (py::bool_(value) ? "1" : "0") : std::string(py::str(value)));
-        }
+            ompl_certificates::setParameter(
+                planner, key, isBool(value) ? (py::bool_(value) ? "1" : "0") : std::string(py::str(value)));
     }
 
     py::dict parametersOf(const ob::Planner &planner)

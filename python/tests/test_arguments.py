@@ -126,7 +126,7 @@ def test_what_is_raised_while_arrays_are_made_is_told(room: oc.Scene) -> None:
         with pytest.raises(oc.Error, match="^[a-z]+: must be .*: can't convert a device's tensor$"):
             call(Lazy(TypeError("can't convert a device's tensor\nSee there.")))
     with pytest.raises(oc.Error, match="^states: must be numbers: .* not 'NoneType'$"):
-        checker.is_valid([1, None, 1, 1])  # type: ignore[list-item]
+        checker.is_valid(np.array([1, None, 1, 1]))
 
 
 def test_empty_lists_of_states_have_empty_answers(room: oc.Scene) -> None:
@@ -137,3 +137,60 @@ def test_empty_lists_of_states_have_empty_answers(room: oc.Scene) -> None:
     for call in (checker.prove, checker.describe_collision):
         with pytest.raises(oc.Error):
             call([])
+
+
+def test_numbers_of_numpy_are_numbers(room: oc.Scene) -> None:
+    half, two = np.float32(0.5), np.int64(2)
+    box = oc.Body.box(two, half).padded(np.float16(0.25))
+    assert box.padding == 0.25 and oc.Body.disc(np.int32(1)).bounding_radius == 1
+    many: Tuple[Any, ...] = (two, (-1, half), [-1, 1], np.array([-1.0, 2.0]))
+    for limits in many:
+        assert oc.Robot.unicycle("cart", box, [0, 0], [1, 1], limits, 1.0).control_names
+    checker = oc.Checker(room)
+    checker.change_obstacles(move={np.int64(0): (5, 8)})
+    checker.change_obstacles(remove=np.array([0]))
+    checker.change_cloud(checker.add_cloud([[5, 5]], half), clear=np.array([[0, 0], [9, 9]]))
+    assert oc.plan(checker, "RRTConnect", time=np.float32(20), seed=two, iterations=np.int64(10000)).solved
+
+
+def test_bools_are_no_numbers_of_obstacles(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    cloud = checker.add_cloud([[1, 9]], 0.1)
+    calls: List[Callable[[Any], object]] = [
+        checker.remove_obstacle,
+        lambda number: checker.move_obstacle(number, (5, 8)),
+        lambda number: checker.change_obstacles(move={number: (5, 8)}),
+        lambda number: checker.change_obstacles(remove=[number]),
+        lambda number: checker.change_cloud(number, insert=[[5, 8]]),
+        checker.cloud_points,
+    ]
+    for call in calls:
+        for wrong in (False, True, np.bool_(False), -1):
+            with pytest.raises(TypeError):
+                call(wrong)
+    assert cloud == 0 and not checker.is_valid([5, 5, 1, 1])
+    with pytest.raises(oc.Error, match="^remove: obstacle 0 is there twice$"):
+        checker.change_obstacles(remove=[0, 0])
+
+
+def test_wrong_arguments_are_called_by_their_names(room: oc.Scene, tmp_path: Path) -> None:
+    none: Any
+    for none in (False, 0, [], {}, "", 5):
+        with pytest.raises(oc.Error, match="^planner: must be the name of one, not "):
+            oc.plan(room, none, time=0.1)
+        with pytest.raises(oc.Error, match="^planner: must be the name of one, not "):
+            oc.plan_controls(room, none, time=0.1)
+    wrong: Any = {1: 1}
+    with pytest.raises(oc.Error, match="^parameters: must be a dict .*, and names must be texts, not 1$"):
+        oc.plan(room, time=0.1, parameters=wrong)
+    far = np.array([[0, 1, 2**64 - 1]], dtype=np.uint64)
+    with pytest.raises(oc.Error, match="^faces: there is no vertex 18446744073709551615$"):
+        oc.Body.mesh(np.eye(3), far)
+    with pytest.raises(oc.Error, match="cells of size 1e-12 to the origin$"):
+        room.add_cloud([[1, 1], [9, 1]], 0.1, cell=1e-12)
+    assert repr(oc.AnyOf([[1, 2]])) == "<AnyOf 1 goal>" and repr(oc.AnyOf([[1, 2]] * 2)) == "<AnyOf 2 goals>"
+    checker = oc.Checker(room)
+    checker.save_certificates(tmp_path / "known.bin")
+    checker.add_obstacle(oc.Body.disc(0.1), (1, 9))
+    with pytest.raises(oc.Error, match="of other obstacles. If these have changed since, load it before they do$"):
+        checker.load_certificates(tmp_path / "known.bin")
