@@ -178,8 +178,10 @@ namespace ompl_certificates_python
             .def_static("car_with_trailer", &makeCarWithTrailer, py::arg("name"), py::arg("car"), py::arg("trailer"),
                         py::arg("hitch_length"), py::arg("low"), py::arg("high"), py::kw_only(),
                         py::arg("keep_out") = std::vector<Placed>(),
-                        "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. keep_out lists "
-                        "zones that it must not enter, pairs of a body and its pose.")
+                        "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. It moves "
+                        "straight from state to state, also sideways, as if it had no wheels: to drive take Robot.car "
+                        "with a trailer, and plan_controls(). keep_out lists zones that it must not enter, pairs of a "
+                        "body and its pose.")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &bodiesOf, "The bodies that the robot moves")

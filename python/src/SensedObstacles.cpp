@@ -154,8 +154,9 @@ namespace ompl_certificates_python
                 "points stand for them, one in each cell of a grid; the radius grows, so that all that was "
                 "occupied still is, and what Checker.change_cloud inserts has that larger radius, too. In a "
                 "planar scene points of shape (n, 2) are in the robots' way at any height. Of those of shape (n, "
-                "3) only the ones count that a robot reaches with its meshes; so add the robots first. Robots of "
-                "other shapes reach all heights, so leave out the floor before.")
+                "3) only the ones count that are within radius of the heights of a robot's meshes with their "
+                "padding; so add the robots first. Robots of other shapes reach all heights, so leave out the floor "
+                "before.")
             .def(
                 "add_cloud_file",
                 [](Scene &self, const std::filesystem::path &file, double radius, double cell)
