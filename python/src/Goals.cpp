@@ -141,7 +141,7 @@ namespace ompl_certificates_python
             return result;
         }
 
-        std::string describe(const PoseOfLink &self)
+        std::string describePose(const PoseOfLink &self)
         {
             const bool planar = self.planar.value_or(false);
             std::string text = "<LinkPose of '" + self.pose.link + "'";
@@ -274,6 +274,6 @@ namespace ompl_certificates_python
                 "that axis will do, and the angles are XZY if that is the y axis.")
             .def_property_readonly(
                 "link", [](const PoseOfLink &self) { return self.pose.link; }, "The name of the link")
-            .def("__repr__", &describe);
+            .def("__repr__", &describePose);
     }
 }

@@ -40,7 +40,7 @@ namespace ompl_certificates_python
             return text.str();
         }
 
-        void save(const Plan &plan, const std::filesystem::path &file, const std::optional<double> &step)
+        void savePath(const Plan &plan, const std::filesystem::path &file, const std::optional<double> &step)
         {
             if (!plan.solution)
                 throw ompl::Exception(file, "there is no path to be written");
@@ -92,7 +92,7 @@ namespace ompl_certificates_python
                  "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
                  "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
                  "times as dense are looked at until one collides. Raises Error if there is no path.")
-            .def("save", &save, py::arg("file"), py::kw_only(), py::arg("step") = py::none(),
+            .def("save", &savePath, py::arg("file"), py::kw_only(), py::arg("step") = py::none(),
                  "Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line "
                  "at each multiple of it in time, too, such as the period of a controller.")
             .def(
