@@ -207,8 +207,9 @@ class Robot:
         *,
         keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
-        """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. keep_out lists zones that it
-        must not enter, pairs of a body and its pose."""
+        """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. It moves straight from state
+        to state, also sideways, as if it had no wheels: to drive take Robot.car with a trailer, and plan_controls().
+        keep_out lists zones that it must not enter, pairs of a body and its pose."""
     @staticmethod
     def integrator(
         name: str,
@@ -355,8 +356,9 @@ class Scene:
         from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one
         in each cell of a grid; the radius grows, so that all that was occupied still is, and what Checker.change_cloud
         inserts has that larger radius, too. In a planar scene points of shape (n, 2) are in the robots' way at any
-        height. Of those of shape (n, 3) only the ones count that a robot reaches with its meshes; so add the robots
-        first. Robots of other shapes reach all heights, so leave out the floor before."""
+        height. Of those of shape (n, 3) only the ones count that are within radius of the heights of a robot's meshes
+        with their padding; so add the robots first. Robots of other shapes reach all heights, so leave out the floor
+        before."""
     def add_cloud_file(self, file: Path, radius: Number, cell: Number = 0.0) -> int:
         """The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv"""
     def add_grid(self, occupied: ArrayLike, size: Number, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
@@ -457,8 +459,9 @@ class Checker:
     def __init__(self, scene: Scene, method: str = "shared", motion: str = "discrete") -> None:
         """method: shared, partial, basic, standard or fcl. motion: discrete or continuous."""
     def is_valid(self, states: ArrayLike) -> Any:
-        """Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one state a bool.
-        Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt."""
+        """Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one state a bool. One
+        with a number that is not finite is not valid. Bounds are not checked. Other Python threads run meanwhile, and
+        Ctrl-C raises KeyboardInterrupt."""
     def clearance(self, states: ArrayLike) -> Any:
         """Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or between links of
         one arm. In the scene's length unit. Positive if and only if a state is valid, and 1e-12 where nothing more is
@@ -466,8 +469,14 @@ class Checker:
     def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""
-    def distance(self, starts: ArrayLike, ends: ArrayLike) -> Any: ...
-    def interpolate(self, starts: ArrayLike, ends: ArrayLike, t: ArrayLike) -> NDArray[np.float64]: ...
+    def distance(self, starts: ArrayLike, ends: ArrayLike) -> Any:
+        """How far each end is from its start, in the team's own distance, for planners of your own: what plan() counts
+        as length, whatever is in between. For arrays of shape (n, coordinates) an array of shape (n,), for two states a
+        float. One state serves for many. NaN where a number is not finite."""
+    def interpolate(self, starts: ArrayLike, ends: ArrayLike, t: ArrayLike) -> NDArray[np.float64]:
+        """States on the motions from starts to ends that check_motions looks at: t, a number or an array of shape (n,),
+        is how much of the way they are, from 0 to 1. Of shape (n, coordinates), or (coordinates,) for two states and
+        one number. One state, or one number, serves for many. Rows of NaN where a number is not finite."""
     def describe_collision(self, state: ArrayLike) -> str:
         """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
         of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,

@@ -198,7 +198,7 @@ def test_many_obstacles_change_at_once(room: oc.Scene) -> None:
     assert (checker.is_valid(states) == expected).all(), f"seed {seed}"
     # One that is not there undoes all of the change.
     for change in ({"remove": [1, 1]}, {"remove": [1], "move": {77: (0, 0)}}):
-        with pytest.raises(oc.Error, match="^There is no obstacle (1|77)$"):
+        with pytest.raises(oc.Error, match="^(There is no obstacle 77|remove: obstacle 1 is there twice)$"):
             checker.change_obstacles(**change)  # type: ignore[arg-type]
         assert (checker.is_valid(states) == expected).all()
     with pytest.raises(oc.Error, match="^pose: "):
@@ -282,8 +282,8 @@ def test_python_runs_while_a_batch_is_checked(room: oc.Scene) -> None:
 
 def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> None:
     path = np.tile(room.start, (200000, 1))
-    corners = np.random.default_rng(15).uniform(0, 9, (100000, 3))
-    faces = np.arange(len(corners) - len(corners) % 3).reshape(-1, 3)
+    corners = np.random.default_rng(15).uniform(0, 9, (900000, 3))
+    faces = np.arange(len(corners)).reshape(-1, 3)
     checker = oc.Checker(room)
     calls: List[Callable[[], object]] = [lambda: checker.prove(path), lambda: oc.Body.mesh(corners, faces)]
     for call in calls:

@@ -24,9 +24,11 @@ def mixed() -> oc.Checker:
 
 def test_distances_are_those_of_the_team(mixed: oc.Checker) -> None:
     start, end = [1, 1, 1, 5, 0], [4, 5, 4, 9, 0]
-    assert math.isclose(mixed.distance(start, end), 2 * 5 + 5)
+    # The team's is the root of the sum of squares.
+    length = math.hypot(2 * 5, 5)
+    assert math.isclose(mixed.distance(start, end), length)
     ends = np.array([end, start, [1, 1, 1, 5, 2 * math.pi]])
-    assert np.allclose(mixed.distance(start, ends), [15, 0, 0])
+    assert np.allclose(mixed.distance(start, ends), [length, 0, 0])
     assert np.allclose(mixed.distance(ends, start), mixed.distance([start] * 3, ends))
     plan = oc.plan(mixed, "RRTConnect", time=20, first=True)
     assert math.isclose(plan.cost, mixed.distance(plan.path[:-1], plan.path[1:]).sum())
