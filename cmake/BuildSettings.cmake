@@ -12,8 +12,9 @@ if(PROJECT_IS_TOP_LEVEL)
   # Several files are compiled as one: most of the time goes into headers, so a whole build is faster. A change
   # of one file then compiles its neighbors, too; with this OFF, it does not.
   option(CMAKE_UNITY_BUILD "Compile several files as one" ON)
-  # More files at once compile faster still, but GCC inlines less in large files: not where speed counts.
-  if(OMPL_CERTIFICATES_SANITIZE)
+  # More files at once compile faster still, but GCC inlines less in large files: not where speed counts. With
+  # sanitizers it counts nowhere.
+  if(OMPL_CERTIFICATES_SANITIZE AND NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
   endif()
 

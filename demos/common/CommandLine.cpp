@@ -41,6 +41,24 @@ namespace demos
             return BAD_INPUT;
         }
 
+        /** Refuse --option= with nothing after it: it would take the next argument. */
+        void requireNoneCutOff(int argc, char **argv)
+        {
+            for (int i = 1; i < argc && std::string(argv[i]) != "--"; ++i)
+                if (const std::string text = argv[i];
+                    text.size() > 3 && text.substr(0, 2) == "--" && text.back() == '=')
+                    throw CLI::ValidationError(text.substr(0, text.size() - 1), "is empty");
+        }
+
+        /** \throws ompl::Exception if what was printed could not be written, such as to a full disk: that may show only
+            now */
+        void flushStandardOutput()
+        {
+            std::cout.flush();
+            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+                throw ompl::Exception("standard output", "cannot be written");
+        }
+
         /** Refuse arguments without text, such as those of a variable of a script that is not set. */
         void requireNoneEmpty(const CLI::App &command)
         {
@@ -93,22 +111,28 @@ namespace demos
                                   throw CLI::Success();
                               })
             ->group("");
+        const auto parseAndWork = [&]
+        {
+            try
+            {
+                requireNoneCutOff(argc, argv);
+                app.parse(argc, argv);
+                requireNoneEmpty(parsedCommand(app));
+                return work();
+            }
+            catch (const CLI::ParseError &e)
+            {
+                // --help and the like
+                if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+                    return app.exit(e);
+                return complain(app, complaintOf(e, app));
+            }
+        };
         try
         {
-            app.parse(argc, argv);
-            requireNoneEmpty(parsedCommand(app));
-            const int result = work();
-            // A full disk shows in what is left to be written.
-            std::cout.flush();
-            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-                throw ompl::Exception("standard output", "cannot be written");
+            const int result = parseAndWork();
+            flushStandardOutput();
             return result;
-        }
-        catch (const CLI::ParseError &e)
-        {
-            if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
-                return app.exit(e);
-            return complain(app, complaintOf(e, app));
         }
         catch (const std::exception &e)
         {

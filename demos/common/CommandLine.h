@@ -18,7 +18,8 @@ namespace demos
     };
 
     /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is
-        written to standard error as one line, and BAD_INPUT returned. For an option that does not exist the line
+        written to standard error as one line, and BAD_INPUT returned; also if an argument is empty, or if what was
+        printed is lost. For an option that does not exist the line
         suggests a similar one. Adds the options --version and --bash-completion; see bashCompletion(). */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
 

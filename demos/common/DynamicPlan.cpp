@@ -149,8 +149,11 @@ namespace demos
             printNotes(scene);
         if (options.dryRun)
         {
-            printTask(options, scene, *setup.getPlanner());
-            printControls(options, setup);
+            if (!options.quiet)
+            {
+                printTask(options, scene, *setup.getPlanner());
+                printControls(options, setup);
+            }
             return SOLVED;
         }
         catchInterrupts();

@@ -54,7 +54,8 @@ namespace demos
         // Of a file that is not there weakly_canonical() may leave the folder out.
         const auto whole = [&error](const std::string &file)
         { return fs::weakly_canonical(fs::absolute(file, error), error); };
-        return whole(first) == whole(second);
+        const fs::path one = whole(first);
+        return !one.empty() && one == whole(second);
     }
 
     void prepareOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,

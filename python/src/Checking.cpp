@@ -76,11 +76,10 @@ namespace ompl_certificates_python
         void bindBatches(py::class_<Checker, std::shared_ptr<Checker>> &checker)
         {
             checker
-                .def(
-                    "is_valid", &validOf, py::arg("states"),
-                    "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
-                    "state a bool. One with a number that is not finite is not valid. Bounds are not checked. Other "
-                    "Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt.")
+                .def("is_valid", &validOf, py::arg("states"),
+                     "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
+                     "state a bool. One with a number that is not finite is not valid. Bounds are not checked. Other "
+                     "Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt.")
                 .def("clearance", &clearanceOf, py::arg("states"),
                      "Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or "
                      "between links of one arm. In the scene's length unit. Positive if and only if a state is valid, "

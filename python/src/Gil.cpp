@@ -25,18 +25,28 @@ namespace ompl_certificates_python
                 std::this_thread::sleep_for(pause);
         }
 
-        /** \brief Python has ended when the program calls this, and nothing it uses has been destroyed. */
-        void waitForWorkAtExit()
-        {
-            static const int registered = std::atexit(&waitForWork);
-            static_cast<void>(registered);
-        }
-
         [[noreturn]] void waitForEndOfProgram()
         {
             while (true)
                 std::this_thread::sleep_for(std::chrono::hours(1));
         }
+    }
+
+    void waitForWorkAtEnd()
+    {
+        // Python calls this when it has ended, and before the program destroys anything.
+        if (Py_AtExit(&waitForWork) != 0)
+            std::atexit(&waitForWork);
+    }
+
+    WorkWithoutGil::WorkWithoutGil()
+    {
+        ++working;
+    }
+
+    WorkWithoutGil::~WorkWithoutGil()
+    {
+        --working;
     }
 
     bool isPythonEnding()
@@ -65,11 +75,9 @@ namespace ompl_certificates_python
 #endif
     }
 
-    GilRelease::GilRelease() : state_(PyEval_SaveThread()), outer_(released)
+    GilRelease::GilRelease() : state_((++working, PyEval_SaveThread())), outer_(released)
     {
-        waitForWorkAtExit();
         released = this;
-        ++working;
     }
 
     GilRelease::~GilRelease()
@@ -89,8 +97,8 @@ namespace ompl_certificates_python
 
     GilAcquire::~GilAcquire()
     {
+        ++working;
         PyEval_SaveThread();
         released = release_;
-        ++working;
     }
 }

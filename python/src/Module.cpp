@@ -1,4 +1,5 @@
 #include "Bindings.h"
+#include "Gil.h"
 
 #include <ompl/util/Exception.h>
 
@@ -9,6 +10,7 @@ PYBIND11_MODULE(_core, module)
     module.attr("__version__") = OMPL_CERTIFICATES_VERSION;
     py::register_exception<ompl::Exception>(module, "Error", PyExc_RuntimeError).attr("__doc__") =
         "What was given makes no sense; one line that names the file or the argument, and the value.";
+    ompl_certificates_python::waitForWorkAtEnd();
     ompl_certificates_python::bindBodies(module);
     ompl_certificates_python::bindRobots(module);
     ompl_certificates_python::bindGoals(module);

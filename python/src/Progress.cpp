@@ -53,6 +53,7 @@ namespace ompl_certificates_python
             std::future<void> end = std::async(std::launch::async,
                                                [this, &work]
                                                {
+                                                   const WorkWithoutGil counted;
                                                    planning_ = std::this_thread::get_id();
                                                    work();
                                                });
@@ -82,7 +83,8 @@ namespace ompl_certificates_python
 
     bool Progress::isOver()
     {
-        if (over_)
+        // This thread ends by itself then, though that which waits for it may have to stop for good.
+        if (over_ || isPythonEnding())
             return true;
         const double seconds = getSeconds();
         if (seconds >= limit_ || (evaluationLimit_ > 0 && evaluations_ >= evaluationLimit_))

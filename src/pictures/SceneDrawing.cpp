@@ -1,6 +1,7 @@
 #include "SceneDrawing.h"
 
 #include "ViewAxes.h"
+#include "geometry/ShortestText.h"
 #include "robots/ContactText.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
@@ -112,7 +113,7 @@ namespace ompl_certificates
     {
         // Half of a line lies within the outline, and round corners make it the padded shape exactly.
         return "opacity='0.2' stroke-linejoin='round' fill='" + color + "' stroke='" + color + "' stroke-width='" +
-               std::to_string(2.0 * width) + "'";
+               shortestText(withoutRounding(2.0 * width)) + "'";
     }
 
     void SceneDrawing::drawPaddings(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses,

@@ -319,7 +319,7 @@ namespace ompl_certificates
         if (best_)
             isBestOptimal_ = isOptimal(*best_);
         if (const unsigned int robots = roadmaps_->getRobotCount();
-            rounds_ == 0 && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
+            !isDone() && rounds_ == 0 && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
             planTogether(condition);
         for (; !condition && !isDone(); ++rounds_)
         {

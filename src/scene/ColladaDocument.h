@@ -13,7 +13,7 @@
 namespace ompl_certificates
 {
     /** \brief The elements of a COLLADA file, what their attributes refer to, and their numbers. All complaints are
-        std::runtime_error and name the line. */
+        std::runtime_error and name the line, if there is one. */
     class ColladaDocument
     {
     public:

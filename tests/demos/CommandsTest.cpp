@@ -28,10 +28,13 @@ namespace
 
 TEST(Commands, failIfWhatTheyPrintIsLost)
 {
-    const std::string program = OMPL_CERTIFICATES_BIN_DIR "/plan_team --list-planners 2>/dev/null";
-    EXPECT_EQ(WEXITSTATUS(std::system((program + " >/dev/null").c_str())), 0);
-    EXPECT_EQ(WEXITSTATUS(std::system((program + " >/dev/full").c_str())), 2);
-    EXPECT_EQ(WEXITSTATUS(std::system((program + " >&-").c_str())), 2);
+    for (const std::string argument : {"--list-planners", "--help", "--version"})
+    {
+        const std::string command = OMPL_CERTIFICATES_BIN_DIR "/plan_team " + argument + " 2>/dev/null >";
+        EXPECT_EQ(WEXITSTATUS(std::system((command + "/dev/null").c_str())), 0) << argument;
+        EXPECT_EQ(WEXITSTATUS(std::system((command + "/dev/full").c_str())), 2) << argument;
+        EXPECT_EQ(WEXITSTATUS(std::system((command + "&-").c_str())), 2) << argument;
+    }
 }
 
 TEST(Commands, areThoseOfTheHelp)

@@ -19,6 +19,9 @@ TEST(DryRun, printsErrorsOnlyIfThatIsAsked)
     Program program("plan_team", {SCENES + "warehouse.yaml", "--dry-run", "--quiet"});
     EXPECT_EQ(program.wait(), 0) << program.errors();
     EXPECT_EQ(program.output(), "");
+    Program dynamic("plan_team", {SCENES + "controls/doorway.yaml", "--dry-run", "--dynamics", "--quiet"});
+    EXPECT_EQ(dynamic.wait(), 0) << dynamic.errors();
+    EXPECT_EQ(dynamic.output(), "");
 }
 
 TEST(DryRun, tellsOfControls)

@@ -75,6 +75,7 @@ namespace
             {{"@/scene.yaml", "--path", "./none.csv", "--report", "none.csv"}, "none.csv is named by --path, too"},
             {{"@/scene.yaml", "--picture", ""}, "--picture: is empty"},
             {{"@/scene.yaml", "--planner", ""}, "--planner: is empty"},
+            {{"@/scene.yaml", "--picture=", "--quiet"}, "--picture: is empty"},
             {{"@/scene.yaml", "--path", "/dev/full", "--time", "300"}, "/dev/full: cannot be written"},
             {{"@/scene.yaml", "--picture", "/proc/plan.svg", "--time", "300"}, "/proc/plan.svg: cannot be written"},
             {{"@/scene.yaml", "--save-certificates", "-"}, "--save-certificates"},

@@ -102,28 +102,30 @@ TEST_P(MeshObstacles, HaveTheClearanceOfTheirNearestTriangle)
 TEST_P(MeshObstacles, MadeFromKnownOnesAreAsIfMadeAnew)
 {
     forMany(200, 0.4,
-            [](Random &random, const FclObstacles &known, double unit)
+            [](Random &random, const FclObstacles &some, double unit)
             {
+                const ZInterval heights = random.chance(0.5) ? ZInterval() : ZInterval{-0.5 * unit, 0.5 * unit};
+                const FclObstacles known(some.getBodies(), GetParam(), heights);
                 std::vector<PlacedBody> bodies = known.getBodies();
                 if (random.chance(0.5))
                     bodies.push_back({randomBody(random, GetParam(), unit), random.pose(GetParam(), 3.0 * unit)});
-                PlacedBody &some = bodies[random.below(bodies.size())];
+                PlacedBody &changed = bodies[random.below(bodies.size())];
                 switch (random.below(4))
                 {
                     case 0:
-                        some.pose = random.pose(GetParam(), 3.0 * unit);
+                        changed.pose = random.pose(GetParam(), 3.0 * unit);
                         break;
                     case 1:
-                        std::swap(some, bodies.front());
+                        std::swap(changed, bodies.front());
                         break;
                     case 2:
-                        std::swap(some, bodies.back());
+                        std::swap(changed, bodies.back());
                         bodies.pop_back();
                         break;
                     default:
                         break;
                 }
-                const FclObstacles anew(bodies, GetParam()), made(bodies, known);
+                const FclObstacles anew(bodies, GetParam(), heights), made(bodies, known);
                 ASSERT_EQ(made.getFingerprint(), anew.getFingerprint());
                 const Body body = meshBody(GetParam(), randomMesh(random, unit));
                 for (int i = 0; i < 20 && !bodies.empty(); ++i)

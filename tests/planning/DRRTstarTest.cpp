@@ -12,6 +12,7 @@
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -338,42 +339,6 @@ TEST_F(DRRTstarTest, GetsBetterWithTimeAndStartsAgainAfterClear)
     EXPECT_EQ(data.numVertices(), 0U);
     EXPECT_EQ(setup->solve(evaluations(0)), ob::PlannerStatus::TIMEOUT);
     EXPECT_EQ(setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
-}
-
-TEST_F(DRRTstarTest, EndsWhereNoPathCanBeBetter)
-{
-    const auto setup = dividedRoom("near the wall", "far from it");
-    const auto &team = setup->getStateSpace();
-    const auto &si = setup->getSpaceInformation();
-    const auto endsBySelf =
-        [&](TeamObjective::Kind kind, const std::vector<double> &from, const std::vector<double> &to)
-    {
-        ompl::RNG::setSeed(1);
-        ob::ScopedState<> start(team), goal(team);
-        start = from;
-        goal = to;
-        setup->clear();
-        setup->setStartAndGoalStates(start, goal);
-        setup->setOptimizationObjective(std::make_shared<TeamObjective>(si, kind));
-        const auto planner = plannerFor(*setup);
-        constexpr unsigned int most = 50000;
-        unsigned int asked = 0;
-        const ob::PlannerTerminationCondition condition([&] { return ++asked > most; });
-        EXPECT_EQ(setup->solve(condition), ob::PlannerStatus::EXACT_SOLUTION);
-        if (asked > most)
-            return false;
-        const auto &path = setup->getSolutionPath();
-        const auto lengths = std::make_shared<TeamObjective>(si, TeamObjective::SUM_OF_LENGTHS);
-        EXPECT_NEAR(path.cost(lengths).value(), lengths->motionCost(start.get(), goal.get()).value(), 1e-9);
-        return true;
-    };
-    for (const auto kind : {TeamObjective::SUM_OF_LENGTHS, TeamObjective::MAKESPAN})
-    {
-        EXPECT_TRUE(endsBySelf(kind, {-1, -1, 1, 1}, {-1, -1, 1, 1}));
-        EXPECT_TRUE(endsBySelf(kind, {-1, -1, 1, 1}, {-2, 2, 2, -2}));
-        // They meet in the middle.
-        EXPECT_FALSE(endsBySelf(kind, {1, -1, 1, 1}, {1, 1, 1, -1}));
-    }
 }
 
 TEST_F(DRRTstarTest, PlansForOneRobotAndForAnyMotionValidator)

@@ -2,6 +2,7 @@
 
 #include "support/Checkers.h"
 #include "support/ForwardingObstacles.h"
+#include "support/TeamOf.h"
 
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/robots/ConfinedRobot.h"
@@ -29,14 +30,6 @@ namespace
             EXPECT_EQ(setup->getTeamChecker()->isValid(state.get()), valid)
                 << nameOf(setup->getTeamChecker()->getMethod());
         return valid;
-    }
-
-    TeamStateSpacePtr teamOf(const std::vector<RobotPtr> &robots)
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        for (const RobotPtr &robot : robots)
-            team->addRobot(robot);
-        return team;
     }
 
     RobotPtr square(const std::string &name, double padding)

@@ -8,6 +8,7 @@
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
 #include "support/Fcl.h"
+#include "support/TeamOf.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
@@ -50,14 +51,6 @@ namespace
     ObstaclesPtr noObstacles(unsigned int dimension)
     {
         return std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, dimension);
-    }
-
-    TeamStateSpacePtr teamOf(const std::vector<RobotPtr> &robots)
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        for (const RobotPtr &robot : robots)
-            team->addRobot(robot);
-        return team;
     }
 
     /** Three equal links; the last reaches back to the first. */

@@ -68,7 +68,7 @@ namespace ompl_certificates
 
         /** \brief The obstacles now, and at the last takeChange() */
         std::map<Id, PlacedBody> obstacles_, taken_;
-        /** \brief What the last takeChange() made; none of all before */
+        /** \brief What the last takeChange() made; before the first, no obstacles */
         std::shared_ptr<const FclObstacles> after_;
         bool isTaken_{false};
     };

@@ -200,8 +200,8 @@ namespace ompl_certificates
         /** \brief Whether the search may end: the best path is good enough, or no path can be better */
         bool isDone() const;
 
-        /** \brief Whether a path costs no more than any path from a start to the goal must. Of costs that only the
-            longest way counts for, it must be as short as any path, too. */
+        /** \brief Whether a path costs no more than any path from a start to the goal must. For a makespan, it must
+            also be as short as any path. */
         bool isOptimal(const ompl::geometric::PathGeometric &path) const;
 
         /** \brief Shorten a path if none is good enough yet, and report it if that makes it the best */
