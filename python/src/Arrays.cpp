@@ -226,6 +226,8 @@ namespace ompl_certificates_python
     TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &object)
     {
         const auto faces = toIndices(object, "faces");
+        // Copies and the mesh take time if it is large.
+        const GilRelease release;
         requireColumns(faces, 3, "faces");
         std::vector<TriangleMesh::Triangle> triangles(static_cast<std::size_t>(faces.shape(0)));
         const std::int64_t *index = faces.data();
@@ -236,10 +238,7 @@ namespace ompl_certificates_python
                     throw ompl::Exception("faces", "there is no vertex " + std::to_string(*index));
                 corner = static_cast<std::uint32_t>(*index++);
             }
-        std::vector<Eigen::Vector3d> points = toPoints3(vertices, "vertices");
-        // The tree of a large mesh takes time.
-        const GilRelease release;
-        return std::make_shared<TriangleMesh>(std::move(points), std::move(triangles));
+        return std::make_shared<TriangleMesh>(toPoints3(vertices, "vertices"), std::move(triangles));
     }
 
     std::vector<CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,

@@ -286,7 +286,9 @@ def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> 
     faces = np.arange(len(corners)).reshape(-1, 3)
     checker = oc.Checker(room)
     calls: List[Callable[[], object]] = [lambda: checker.prove(path), lambda: oc.Body.mesh(corners, faces)]
-    for call in calls:
+
+    def standstill(call: Callable[[], object]) -> float:
+        """The longest time that this thread has to wait, as a part of all that the call takes in another one"""
         thread = threading.Thread(target=call)
         begin = last = time.perf_counter()
         longest = 0.0
@@ -294,7 +296,11 @@ def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> 
         while thread.is_alive():
             now = time.perf_counter()
             longest, last = max(longest, now - last), now
-        assert longest < 0.7 * (time.perf_counter() - begin)
+        return longest / (time.perf_counter() - begin)
+
+    for call in calls:
+        # Other programs stop this one, too, but not each time.
+        assert min(standstill(call) for _ in range(5)) < 0.7
 
 
 @pytest.mark.parametrize("question", ["is_valid", "clearance", "check_motions"])
