@@ -281,11 +281,16 @@ def test_python_runs_while_a_batch_is_checked(room: oc.Scene) -> None:
 
 
 def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> None:
-    path = np.tile(room.start, (200000, 1))
+    # To read the path is all that is done before its last row is refused.
+    path = np.tile(room.start, (300000, 1))
+    path[-1, 0] = math.nan
     corners = np.random.default_rng(15).uniform(0, 9, (900000, 3))
     faces = np.arange(len(corners)).reshape(-1, 3)
     checker = oc.Checker(room)
-    calls: List[Callable[[], object]] = [lambda: checker.prove(path), lambda: oc.Body.mesh(corners, faces)]
+
+    def read_path() -> None:
+        with pytest.raises(oc.Error, match="^path: row 299999: all numbers must be finite$"):
+            checker.prove(path)
 
     def standstill(call: Callable[[], object]) -> float:
         """The longest time that this thread has to wait, as a part of all that the call takes in another one"""
@@ -298,7 +303,7 @@ def test_python_runs_while_a_path_is_read_and_a_mesh_is_made(room: oc.Scene) -> 
             longest, last = max(longest, now - last), now
         return longest / (time.perf_counter() - begin)
 
-    for call in calls:
+    for call in (read_path, lambda: oc.Body.mesh(corners, faces)):
         # Other programs stop this one, too, but not each time.
         assert min(standstill(call) for _ in range(5)) < 0.7
 
