@@ -85,7 +85,8 @@ namespace ompl_certificates_python
             return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
         }
 
-        /** Indices of vertices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
+        /** Indices of vertices from integers, or from other numbers that are whole. A conversion alone would cut off
+            the rest. */
         Numbers<std::int64_t> toIndices(const py::object &object, const std::string &what)
         {
             requireUnmasked(object, what);
