@@ -283,8 +283,9 @@ class Robot:
         attached bodies, that are not checked against obstacles, such as the foot of a robot that is bolted to a table;
         touchable are obstacles that some of them may touch. A state has the values of the group's joints, in radians or
         meters. padding is the distance that all links and attached bodies keep from obstacles, or a dict of those that
-        keep one, by their names; see Body.padded. The arm's links are checked against each other without. For several
-        arms of the same files take an ArmFile. What was ignored in the files is told by warnings."""
+        keep one, by their names; see Body.padded. An attached body that is padded keeps its own. The arm's links are
+        checked against each other without. For several arms of the same files take an ArmFile. What was ignored in the
+        files is told by warnings."""
     @staticmethod
     def arms(
         urdf: Path,
