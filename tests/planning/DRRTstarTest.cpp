@@ -1,4 +1,5 @@
 #include "support/CrowdProblem.h"
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
@@ -12,7 +13,6 @@
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
