@@ -50,20 +50,37 @@ namespace ompl_certificates
             return volume;
         }
 
+        Eigen::Vector3d nearestOf(const TriangleTree &surface, std::uint32_t triangle, const Eigen::Vector3d &point)
+        {
+            const auto &[a, b, c] = surface.getTriangle(triangle).corners;
+            return nearestOfTriangle(point, a, b, c);
+        }
+
+        /** The distance from \e point to the surface
+            \param nearest a triangle that is probably near, which bounds the search; set to the nearest one */
+        double distanceTo(const TriangleTree &surface, const Eigen::Vector3d &point, std::uint32_t &nearest)
+        {
+            const double known = (point - nearestOf(surface, nearest, point)).norm();
+            std::uint32_t other;
+            const double distance = surface.distance(point, known, &other);
+            if (distance >= known)
+                return known;
+            nearest = other;
+            return distance;
+        }
+
         /** The ball about \e center, or about a point deeper inside, that just reaches the surface
-            \param nearest set to a triangle that it reaches */
+            \param nearest a triangle that is probably near; set to one that the ball reaches */
         Ball ballFrom(const TriangleTree &surface, Eigen::Vector3d center, std::uint32_t &nearest)
         {
-            constexpr double inf = std::numeric_limits<double>::infinity();
-            double radius = surface.distance(center, inf, &nearest);
+            double radius = distanceTo(surface, center, nearest);
             double step = 0.5;
             for (int i = 0; i < 8 && radius > 0.0; ++i)
             {
-                const auto &[a, b, c] = surface.getTriangle(nearest).corners;
-                const Eigen::Vector3d away = (center - nearestOfTriangle(center, a, b, c)) / radius;
+                const Eigen::Vector3d away = (center - nearestOf(surface, nearest, center)) / radius;
                 const Eigen::Vector3d moved = center + step * radius * away;
-                std::uint32_t other;
-                if (const double larger = surface.distance(moved, inf, &other); larger > radius)
+                std::uint32_t other = nearest;
+                if (const double larger = distanceTo(surface, moved, other); larger > radius)
                 {
                     center = moved;
                     radius = larger;
@@ -95,12 +112,12 @@ namespace ompl_certificates
             const double orientation = orientationOf(surface, box.center());
             const Eigen::Array3i counts = countsIn(box.sizes());
             std::vector<Ball> balls;
+            std::uint32_t nearest = 0;  // kept from one candidate to the next, which is beside it
             for (int x = 0; x < counts.x(); ++x)
                 for (int y = 0; y < counts.y(); ++y)
                     for (int z = 0; z < counts.z(); ++z)
                     {
                         const Eigen::Array3d at = (Eigen::Array3d(x, y, z) + 0.5) / counts.cast<double>();
-                        std::uint32_t nearest = 0;
                         const Ball ball = ballFrom(surface, box.min() + (at * box.sizes().array()).matrix(), nearest);
                         // The largest ones may fill holes. Their nearest triangle looks at them.
                         const auto &[a, b, c] = surface.getTriangle(nearest).corners;

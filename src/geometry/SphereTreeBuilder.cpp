@@ -1,7 +1,7 @@
 #include "SphereTreeBuilder.h"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,34 +19,34 @@ namespace ompl_certificates
 
         constexpr std::size_t INNER_SPHERES = 8;
 
-        /** The corners of a polygon; most are triangles and their parts */
-        using Outline = boost::container::small_vector<Eigen::Vector3d, 6>;
-
         /** A convex piece of a shape, enlarged by a rounding radius: the outlines of its faces, its one outline in the
             plane, or the two ends of a segment. For a mesh: the outlines of pieces of its triangles. */
         struct Piece
         {
-            std::vector<Outline> outlines;
-            double rounding;
-            bool isSolid{true};
-
-            std::vector<Eigen::Vector3d> vertices() const
+            template <typename Outline>
+            void add(const Outline &outline)
             {
-                std::vector<Eigen::Vector3d> all;
-                all.reserve(4 * outlines.size());
-                for (const auto &outline : outlines)
-                    all.insert(all.end(), outline.begin(), outline.end());
-                return all;
+                corners.insert(corners.end(), std::begin(outline), std::end(outline));
+                ends.push_back(corners.size());
             }
+
+            /** The corners of all outlines, one outline after the other */
+            std::vector<Eigen::Vector3d> corners;
+
+            /** Where each outline ends among the corners */
+            std::vector<std::size_t> ends;
+            double rounding{0.0};
+            bool isSolid{true};
         };
 
-        /** The part of an outline where sign * (p[axis] - position) <= 0; the points on the cut are added to \e cut. */
-        Outline clip(const Outline &outline, Eigen::Index axis, double position, double sign, Outline &cut)
+        /** Append to \e kept the part of an outline where sign * (p[axis] - position) <= 0, and the points on the cut to
+            \e cut. */
+        void clip(const Eigen::Vector3d *outline, std::size_t count, Eigen::Index axis, double position, double sign,
+                  std::vector<Eigen::Vector3d> &kept, std::vector<Eigen::Vector3d> &cut)
         {
-            Outline kept;
-            for (std::size_t i = 0; i < outline.size(); ++i)
+            for (std::size_t i = 0; i < count; ++i)
             {
-                const Eigen::Vector3d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+                const Eigen::Vector3d &a = outline[i], &b = outline[i + 1 < count ? i + 1 : 0];
                 const double da = sign * (a[axis] - position), db = sign * (b[axis] - position);
                 if (da <= 0.0)
                     kept.push_back(a);
@@ -60,11 +60,10 @@ namespace ompl_certificates
                 else if (da == 0.0)
                     cut.push_back(a);
             }
-            return kept;
         }
 
         /** Sort the corners of a convex polygon, across \e axis, around their mean. */
-        void sortAround(Outline &corners, Eigen::Index axis)
+        void sortAround(std::vector<Eigen::Vector3d> &corners, Eigen::Index axis)
         {
             Eigen::Vector3d mean = Eigen::Vector3d::Zero();
             for (const auto &corner : corners)
@@ -77,17 +76,25 @@ namespace ompl_certificates
 
         Piece halfOf(const Piece &piece, Eigen::Index axis, double position, double sign)
         {
-            Piece half{{}, piece.rounding, piece.isSolid};
-            half.outlines.reserve(piece.outlines.size());
-            Outline cut;
-            for (const auto &outline : piece.outlines)
-                if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
-                    half.outlines.push_back(std::move(kept));
+            Piece half;
+            half.rounding = piece.rounding;
+            half.isSolid = piece.isSolid;
+            half.corners.reserve(piece.corners.size());
+            half.ends.reserve(piece.ends.size());
+            std::vector<Eigen::Vector3d> cut;
+            std::size_t begin = 0;
+            for (const std::size_t end : piece.ends)
+            {
+                clip(&piece.corners[begin], end - begin, axis, position, sign, half.corners, cut);
+                if (half.corners.size() > (half.ends.empty() ? 0 : half.ends.back()))
+                    half.ends.push_back(half.corners.size());
+                begin = end;
+            }
             // The new face closes the piece, so that later cuts also find the edges inside the shape.
-            if (piece.isSolid && piece.outlines.size() > 1 && cut.size() >= 3)
+            if (piece.isSolid && piece.ends.size() > 1 && cut.size() >= 3)
             {
                 sortAround(cut, axis);
-                half.outlines.push_back(std::move(cut));
+                half.add(cut);
             }
             return half;
         }
@@ -97,44 +104,55 @@ namespace ompl_certificates
         {
             constexpr std::size_t sides = 16;
             const double corner = radius / std::cos(M_PI / sides);
-            Piece prism{{{}, {}}, 0.0};
-            const auto at = [&](std::size_t i, double z)
+            Piece prism;
+            std::array<Eigen::Vector3d, sides> bottom, top;
+            for (std::size_t i = 0; i < sides; ++i)
             {
                 const double angle = 2.0 * M_PI * static_cast<double>(i) / sides;
-                return Eigen::Vector3d(corner * std::cos(angle), corner * std::sin(angle), z);
-            };
+                bottom[i] = {corner * std::cos(angle), corner * std::sin(angle), -0.5 * length};
+                top[i] = {bottom[i].x(), bottom[i].y(), 0.5 * length};
+            }
+            prism.add(bottom);
+            prism.add(top);
             for (std::size_t i = 0; i < sides; ++i)
             {
-                prism.outlines[0].push_back(at(i, -0.5 * length));
-                prism.outlines[1].push_back(at(i, 0.5 * length));
+                const std::size_t next = (i + 1) % sides;
+                prism.add(std::array<Eigen::Vector3d, 4>{bottom[i], bottom[next], top[next], top[i]});
             }
-            for (std::size_t i = 0; i < sides; ++i)
-                prism.outlines.push_back(
-                    {at(i, -0.5 * length), at(i + 1, -0.5 * length), at(i + 1, 0.5 * length), at(i, 0.5 * length)});
             return prism;
         }
 
         Piece trianglesOf(const TriangleMesh &mesh, unsigned int dimension)
         {
-            Piece piece{{}, 0.0, false};
+            Piece piece;
+            piece.isSolid = false;
+            piece.corners.reserve(3 * mesh.getTriangles().size());
+            piece.ends.reserve(mesh.getTriangles().size());
             for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
             {
-                auto [a, b, c] = mesh.getCorners(i);
-                if (dimension == 2)
-                    a.z() = b.z() = c.z() = 0.0;
-                piece.outlines.push_back({a, b, c});
+                std::array<Eigen::Vector3d, 3> corners = mesh.getCorners(i);
+                for (Eigen::Vector3d &corner : corners)
+                    if (dimension == 2)
+                        corner.z() = 0.0;
+                piece.add(corners);
             }
             return piece;
         }
 
         Piece wholeOf(const Shape &shape)
         {
+            using Corners = std::vector<Eigen::Vector3d>;
+            Piece piece;
             switch (shape.getKind())
             {
                 case Shape::Kind::BALL:
-                    return {{{Eigen::Vector3d::Zero()}}, shape.getRadius()};
+                    piece.rounding = shape.getRadius();
+                    piece.add(Corners{Eigen::Vector3d::Zero()});
+                    return piece;
                 case Shape::Kind::CAPSULE:
-                    return {{{-0.5 * shape.getSize(), 0.5 * shape.getSize()}}, shape.getRadius()};
+                    piece.rounding = shape.getRadius();
+                    piece.add(Corners{-0.5 * shape.getSize(), 0.5 * shape.getSize()});
+                    return piece;
                 case Shape::Kind::CYLINDER:
                     return prismAround(shape.getRadius(), shape.getSize().z());
                 case Shape::Kind::MESH:
@@ -144,13 +162,16 @@ namespace ompl_certificates
             }
             const ConvexHull &hull = *shape.getHull();
             if (shape.getDimension() == 2)
-                return {{Outline(hull.vertices.begin(), hull.vertices.end())}, 0.0};
-            Piece piece{{}, 0.0};
+            {
+                piece.add(hull.vertices);
+                return piece;
+            }
             for (const auto &face : hull.faces)
             {
-                piece.outlines.emplace_back();
+                Corners outline;
                 for (const std::size_t vertex : face.vertices)
-                    piece.outlines.back().push_back(hull.vertices[vertex]);
+                    outline.push_back(hull.vertices[vertex]);
+                piece.add(outline);
             }
             return piece;
         }
@@ -166,7 +187,7 @@ namespace ompl_certificates
 
         Ball ballAround(const Piece &piece)
         {
-            Ball ball = enclosingBall(piece.vertices(), piece.rounding);
+            Ball ball = enclosingBall(piece.corners, piece.rounding);
             // Pays for the rounding of the clipping, so that no sliver of the shape is left outside.
             ball.radius *= 1.0 + 1e-12;
             return ball;
@@ -179,9 +200,8 @@ namespace ompl_certificates
             if (depth == MAX_DEPTH || radius <= smallest || radius <= TIGHT * piece.rounding)
                 return;
             Eigen::AlignedBox3d box;
-            for (const auto &outline : piece.outlines)
-                for (const auto &vertex : outline)
-                    box.extend(vertex);
+            for (const auto &corner : piece.corners)
+                box.extend(corner);
             Eigen::Index axis;
             if (box.sizes().maxCoeff(&axis) <= 0.0)
                 return;
@@ -245,8 +265,8 @@ namespace ompl_certificates
                                             [&](const Body::Part &other) { return other.shape == part.shape; });
             const auto known = static_cast<std::size_t>(equal - parts.begin());
             trees.push_back(known < trees.size() ? trees[known] : treeOf(pieces.back()));
-            for (const auto &vertex : pieces.back().vertices())
-                extremes.push_back(treePose(part) * vertex);
+            for (const auto &corner : pieces.back().corners)
+                extremes.push_back(treePose(part) * corner);
             rounding = std::max(rounding, pieces.back().rounding);
         }
         std::vector<SphereTree::Node> nodes(1);

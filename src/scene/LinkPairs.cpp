@@ -119,6 +119,12 @@ namespace ompl_certificates
             const double margin_;
             std::unique_ptr<FclObstacles> forFcl_;
         };
+
+        /** Large meshes take some tenths of a second each, which threads share. */
+        void prepareBodiesOf(const Arm &arm)
+        {
+            prepareBodies(Team(arm.getStateSpace(), {RobotPtr(RobotPtr(), &arm)}));
+        }
     }
 
     std::vector<LinkPair> pairsOf(const KinematicTree &tree)
@@ -157,9 +163,8 @@ namespace ompl_certificates
         for (const BodyPair &pair : arm.getBodyPairs())
             if (known.count(namesOf(arm, pair)) == 0)
                 checks.push_back(std::make_unique<PairCheck>(arm, pair));
-        // Large meshes take a second each, which threads share.
         if (!checks.empty())
-            prepareBodies(Team(arm.getStateSpace(), {RobotPtr(RobotPtr(), &arm)}));
+            prepareBodiesOf(arm);
         States states(arm);
         for (int i = 0; i < STATES && !checks.empty(); ++i)
         {
@@ -195,6 +200,8 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < pairBounds.size(); ++i)
             if (pairBounds[i].first.at(1.0) == 0.0)
             {
+                if (pairs.empty())
+                    prepareBodiesOf(arm);
                 const BodyPair &pair = arm.getBodyPairs()[i];
                 pairs.emplace_back(namesOf(arm, pair), PairCheck(arm, pair).collides(poses));
             }

@@ -92,6 +92,8 @@ namespace ompl_certificates
         const unsigned int count = team->getRobotCount();
         const auto *components = state->as<TeamStateSpace::StateType>()->components;
         const ObstaclesPtr obstacles = scene.makeObstacles();
+        // First of all, since threads share what it prepares of large meshes.
+        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
         std::vector<std::vector<Pose>> poses;
         for (unsigned int i = 0; i < count; ++i)
         {
@@ -105,7 +107,6 @@ namespace ompl_certificates
             if (!touch.empty())
                 return SceneCollision{i, i, touch, "", ""};
         }
-        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
         // The obstacles leave each robot free.
         for (unsigned int i = 0; i < count; ++i)
             if (!checker.isRobotFree(i, components[i]))
