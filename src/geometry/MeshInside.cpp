@@ -69,6 +69,14 @@ namespace ompl_certificates
             return distance;
         }
 
+        /** Whether the nearest triangle looks away from \e point: then the point is mostly inside. */
+        bool isBehind(const TriangleTree &surface, std::uint32_t nearest, const Eigen::Vector3d &point,
+                      double orientation)
+        {
+            const auto &[a, b, c] = surface.getTriangle(nearest).corners;
+            return orientation * (b - a).cross(c - a).dot(point - a) < 0.0;
+        }
+
         /** The ball about \e center, or about a point deeper inside, that just reaches the surface
             \param nearest a triangle that is probably near; set to one that the ball reaches */
         Ball ballFrom(const TriangleTree &surface, Eigen::Vector3d center, std::uint32_t &nearest)
@@ -118,10 +126,13 @@ namespace ompl_certificates
                     for (int z = 0; z < counts.z(); ++z)
                     {
                         const Eigen::Array3d at = (Eigen::Array3d(x, y, z) + 0.5) / counts.cast<double>();
-                        const Ball ball = ballFrom(surface, box.min() + (at * box.sizes().array()).matrix(), nearest);
+                        const Eigen::Vector3d start = box.min() + (at * box.sizes().array()).matrix();
+                        distanceTo(surface, start, nearest);
+                        if (!isBehind(surface, nearest, start, orientation))
+                            continue;
                         // The largest ones may fill holes. Their nearest triangle looks at them.
-                        const auto &[a, b, c] = surface.getTriangle(nearest).corners;
-                        if (box.contains(ball.center) && orientation * (b - a).cross(c - a).dot(ball.center - a) < 0.0)
+                        const Ball ball = ballFrom(surface, start, nearest);
+                        if (box.contains(ball.center) && isBehind(surface, nearest, ball.center, orientation))
                             balls.push_back(ball);
                     }
             std::sort(balls.begin(), balls.end(), [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
