@@ -30,14 +30,13 @@ namespace demos
             {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
         if (!isMoveItScene(scene))
         {
-            SceneFile other = readSceneFile(scene);
             const std::string why = "is for planning scenes of MoveIt, which " + scene + " is not";
             for (const auto &[option, file] : files)
                 if (!file.empty())
                     throw ompl::Exception(option, why);
             if (!options.packages.empty())
                 throw ompl::Exception("--package", why);
-            return other;
+            return readSceneFile(scene);
         }
         for (const auto &[option, file] : files)
             if (file.empty())

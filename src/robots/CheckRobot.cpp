@@ -86,19 +86,19 @@ namespace ompl_certificates
                 robot_.computePoses(state, poses.data());
                 for (std::size_t i = 0; i < bodies_; ++i)
                 {
-                    const std::string where =
-                        " of body " + std::to_string(i) + " in the state " + textOf(*space_, state);
+                    const auto where = [&]
+                    { return " of body " + std::to_string(i) + " in the state " + textOf(*space_, state); };
                     const Eigen::Matrix3d turn = poses[i].linear();
                     if (!poses[i].matrix().allFinite())
-                        fail("the pose" + where + " is not finite, or was not written");
+                        fail("the pose" + where() + " is not finite, or was not written");
                     if (!turn.isUnitary(1e-6) || turn.determinant() < 0.0)
-                        fail("the pose" + where + " is not a rotation and a translation");
+                        fail("the pose" + where() + " is not a rotation and a translation");
                     if (robot_.getWorkspaceDimension() != 2)
                         continue;
                     const double tilt = (turn.col(2) - Eigen::Vector3d::UnitZ()).norm();
                     const double z = poses[i].translation().z();
                     if (tilt > POSE_ROUNDING || std::abs(z) > POSE_ROUNDING * (1.0 + poses[i].translation().norm()))
-                        fail("the pose" + where + " leaves the plane: z = " + textOf(z) + ", tilted by " +
+                        fail("the pose" + where() + " leaves the plane: z = " + textOf(z) + ", tilted by " +
                              textOf(tilt));
                 }
                 if (!std::isnan(poses[bodies_].translation().x()))

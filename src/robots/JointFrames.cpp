@@ -28,17 +28,6 @@ namespace ompl_certificates
             return pose;
         }
 
-        /** How a joint moves its link when its coordinate is \e value */
-        Pose moved(const Joint &joint, double value)
-        {
-            Pose pose = Pose::Identity();
-            if (joint.type == JointType::PRISMATIC)
-                pose.translation() = value * joint.axis;
-            else if (joint.type == JointType::REVOLUTE || joint.type == JointType::CONTINUOUS)
-                pose.linear() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
-            return pose;
-        }
-
         /** The value of a joint that the arm does not move and that follows no other */
         double valueOf(const Joint &joint, const ArmOptions &options)
         {
@@ -82,8 +71,10 @@ namespace ompl_certificates
             std::ostringstream text;
             text << multiplier;
             throw ompl::Exception("joint '" + joint.name + "'",
-                                  "mimics the continuous joint '" + followed.name +
-                                      "', so it must turn, by a whole multiple and not by " + text.str());
+                                  "mimics the continuous joint '" + followed.name + "', so it must turn, " +
+                                      (joint.type == JointType::PRISMATIC
+                                           ? "but it is prismatic"
+                                           : "by a whole multiple and not by " + text.str()));
         }
     }
 
@@ -148,7 +139,7 @@ namespace ompl_certificates
         if (coordinate == group.end() || multiplier == 0.0)
         {
             const double value = coordinate == group.end() ? multiplier * valueOf(*source, options) + offset : offset;
-            links_.push_back(placeAt(parent.frame, origin * moved(joint, value)));
+            links_.push_back(placeAt(parent.frame, origin * movedBy(joint, value)));
             return;
         }
         if (joint.mimic)

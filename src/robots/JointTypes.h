@@ -3,6 +3,8 @@
 
 #include "ompl_certificates/robots/KinematicTree.h"
 
+#include <Eigen/Geometry>
+
 namespace ompl_certificates
 {
     /** \brief Whether joints of a type have limits */
@@ -25,6 +27,17 @@ namespace ompl_certificates
             default:
                 return 1;
         }
+    }
+
+    /** \brief How a joint of one coordinate moves its link when that is \e value; one of others does not */
+    inline Pose movedBy(const KinematicTree::Joint &joint, double value)
+    {
+        Pose pose = Pose::Identity();
+        if (joint.type == KinematicTree::JointType::PRISMATIC)
+            pose.translation() = value * joint.axis;
+        else if (coordinatesOf(joint.type) == 1)
+            pose.linear() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
+        return pose;
     }
 }
 

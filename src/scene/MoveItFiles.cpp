@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/MoveItFiles.h"
 
+#include "MoveItFrames.h"
 #include "MoveItGoal.h"
 #include "MoveItMessages.h"
 #include "MoveItPlanes.h"
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <filesystem>
 #include <ompl/util/Exception.h>
-#include <set>
 
 namespace ompl_certificates
 {
@@ -22,78 +22,6 @@ namespace ompl_certificates
     {
         /** MoveIt's own default */
         constexpr double RESOLUTION = 0.005;
-
-        /** The names of the frame that MoveIt plans in, as the robot's files tell: what a virtual joint that moves is
-            in, or else the root link, of which a fixed one has another name */
-        std::vector<std::string> planningFramesOf(const ArmFile &robot)
-        {
-            const std::string &root = robot.getTree().getLinks().front().name;
-            const auto joint = robot.getVirtualJoint();
-            if (!joint)
-                return {root};
-            return joint->type == KinematicTree::JointType::FIXED ? std::vector{joint->parentFrame, root}
-                                                                  : std::vector{joint->parentFrame};
-        }
-
-        /** Add the frames that MoveIt's fixed transforms place. Unlike those of tf they lead to the child: each is the
-            pose there of the frame in its header. */
-        void addFixedFrames(const std::vector<YamlNode> &items, const ArmFile &robot, MoveItFrames &frames)
-        {
-            std::vector<std::string> planningFrames = planningFramesOf(robot);
-            for (const std::string &frame : planningFrames)
-                frames.emplace(frame, Pose::Identity());
-            const auto isPlanningFrame = [&planningFrames](const std::string &frame)
-            { return std::find(planningFrames.begin(), planningFrames.end(), frame) != planningFrames.end(); };
-            // MoveIt lists its own frame, too; in MotionBenchMaker's scenes without a header. There it tells the parent
-            // of a virtual joint, which the SRDF file may lack.
-            const auto isOwn = [](const YamlNode &item)
-            {
-                const std::string frame = moveItFrame(item);
-                return frame.empty() || frame == moveItFrameName(item, "child_frame_id");
-            };
-            if (!robot.getVirtualJoint())
-                for (const YamlNode &item : items)
-                    if (isOwn(item))
-                    {
-                        planningFrames.push_back(moveItFrameName(item, "child_frame_id"));
-                        frames.emplace(planningFrames.back(), Pose::Identity());
-                    }
-            std::set<std::string> seen;
-            for (const YamlNode &item : items)
-            {
-                item.allow({"header", "child_frame_id", "transform"});
-                const std::string frame = moveItFrame(item), child = moveItFrameName(item, "child_frame_id");
-                if (!isPlanningFrame(child))
-                    item.at("child_frame_id")
-                        .fail("must be the frame that MoveIt plans in, '" + planningFrames.front() + "', not '" +
-                              child + "'; the header names the frame whose pose there the transform is");
-                if (!seen.insert(frame).second)
-                    item.fail("there is a transform of the frame '" + frame + "' already");
-                const Pose pose = readMoveItTransform(item.at("transform"));
-                const bool isPlaced = !isOwn(item) && !isPlanningFrame(frame);
-                if (!isPlaced && !pose.isApprox(Pose::Identity()))
-                    item.at("transform")
-                        .fail("must be the identity: " + (frame.empty() ? "the header names no frame"
-                                                                        : "MoveIt plans in the frame '" + frame + "'"));
-                // Where links are is what the robot's state says.
-                if (isPlaced && !robot.getTree().hasLink(frame))
-                    frames[frame] = frames.at(child) * pose;
-            }
-        }
-
-        /** The poses of frames that obstacles can be in */
-        MoveItFrames readFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state)
-        {
-            const KinematicTree &tree = robot.getTree();
-            MoveItFrames frames{{"", Pose::Identity()},
-                                {tree.getLinks().front().name, state.base.value_or(Pose::Identity())}};
-            for (const KinematicTree::Link &link : tree.getLinks())
-                if (const auto parent = frames.find(tree.getLinks()[link.parent].name);
-                    parent != frames.end() && link.joint.type == KinematicTree::JointType::FIXED)
-                    frames.emplace(link.name, parent->second * link.joint.origin);
-            addFixedFrames(moveItItems(root, "fixed_frame_transforms"), robot, frames);
-            return frames;
-        }
 
         /** A scene that is a difference has an empty matrix where nothing has changed. */
         bool hasMatrix(const YamlNode &root)
@@ -258,10 +186,8 @@ namespace ompl_certificates
             for (const KinematicTree::Link &link : tree.getLinks())
             {
                 const KinematicTree::Joint &joint = link.joint;
-                const bool isLimited = joint.type == KinematicTree::JointType::REVOLUTE ||
-                                       joint.type == KinematicTree::JointType::PRISMATIC;
-                if (isLimited && !joint.mimic && (joint.lower > 0.0 || joint.upper < 0.0))
-                    settings.jointValues.try_emplace(joint.name, 0.5 * (joint.lower + joint.upper));
+                if (const double value = moveItValueUntold(joint); value != 0.0 && !joint.mimic)
+                    settings.jointValues.try_emplace(joint.name, value);
             }
         }
 
@@ -300,19 +226,20 @@ namespace ompl_certificates
             MoveItRobotState state;
             if (root.has("robot_state"))
                 state = readMoveItRobotState(root.at("robot_state"), robot, folder);
-            const MoveItFrames frames = readFrames(root, robot, state);
+            const MoveItFrames frames = readMoveItFrames(root, robot, state, {});
             const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
             std::vector<std::string> notes;
             MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder, notes);
 
             if (wish.has("start_state"))
                 merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
-            // Obstacles stay where the scene's state of the robot has them. Goals are seen from the robot that starts.
-            const MoveItFrames goalFrames = readFrames(root, robot, state);
             for (const auto &[object, about] : state.notes)
                 notes.insert(notes.end(), about.begin(), about.end());
             const YamlNode groupNode = wish.at("group_name");
             const std::string group = groupNode.text();
+            // Obstacles stay where the scene's state of the robot has them. Goals are seen from the robot that starts.
+            const MoveItFrames goalFrames =
+                groupNode.orFail([&] { return readMoveItFrames(root, robot, state, robot.getJoints(group)); });
             ArmFile::ArmSettings settings = settingsOf(wish, state);
             setOtherJoints(robot.getTree(), settings);
             settings.linkPadding = readMoveItPadding(root, robot.getTree());
@@ -376,19 +303,13 @@ namespace ompl_certificates
         std::error_code error;
         if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
             return false;
-        const std::string text = readWholeFile(file);
-        try
-        {
-            const YamlNode root = parseYaml(text, file);
-            const auto has = [&](const char *key) { return root.has(key); };
-            return root.isMap() && !has("environment") && !has("robots") &&
-                   (has("world") || has("robot_state") || has("robot_model_name"));
-        }
-        catch (const ompl::Exception &)
-        {
-            // Who reads it next tells what is wrong.
+        // A scene of OMPL.app is no YAML.
+        if (std::filesystem::path(file).extension() == ".cfg")
             return false;
-        }
+        const YamlNode root = parseYaml(readWholeFile(file), file);
+        const auto has = [&](const char *key) { return root.has(key); };
+        return root.isMap() && !has("environment") && !has("robots") &&
+               (has("world") || has("robot_state") || has("robot_model_name"));
     }
 
     SceneFile readMoveItFiles(const std::string &scene, const std::string &request, const ArmFile &robot)

@@ -132,11 +132,18 @@ namespace ompl_certificates
             return items.empty() ? std::nullopt : std::optional(items.front());
         }
 
-        void readPosition(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose,
+        std::string readLink(const YamlNode &node, const KinematicTree &tree)
+        {
+            const YamlNode name = node.at("link_name");
+            name.orFail([&] { return tree.getLinkIndex(name.text()); });
+            return name.text();
+        }
+
+        void readPosition(const YamlNode &node, const KinematicTree &tree, const MoveItFrames &frames, LinkPose &pose,
                           std::vector<std::string> &notes)
         {
             node.allow({"header", "link_name", "target_point_offset", "constraint_region", "weight"});
-            pose.link = node.at("link_name").text();
+            pose.link = readLink(node, tree);
             if (node.has("target_point_offset"))
                 pose.point = readMoveItVector(node.at("target_point_offset"));
             const YamlNode regionNode = node.at("constraint_region");
@@ -154,12 +161,12 @@ namespace ompl_certificates
                 regionNode.at("primitives").fail("must be a box or a sphere");
         }
 
-        void readOrientation(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose,
-                             std::vector<std::string> &notes)
+        void readOrientation(const YamlNode &node, const KinematicTree &tree, const MoveItFrames &frames,
+                             LinkPose &pose, std::vector<std::string> &notes)
         {
             node.allow({"header", "orientation", "link_name", "absolute_x_axis_tolerance", "absolute_y_axis_tolerance",
                         "absolute_z_axis_tolerance", "parameterization", "weight"});
-            const std::string link = node.at("link_name").text();
+            const std::string link = readLink(node, tree);
             if (pose.position && link != pose.link)
                 node.at("link_name").fail("must be that of the position, '" + pose.link + "'");
             pose.link = link;
@@ -198,27 +205,11 @@ namespace ompl_certificates
                 goal.at("joint_constraints").fail("joints beside the pose of a link are not supported");
             LinkPose pose;
             if (position)
-                readPosition(*position, frames, pose, notes);
+                readPosition(*position, arm->getTree(), frames, pose, notes);
             if (turn)
-                readOrientation(*turn, frames, pose, notes);
+                readOrientation(*turn, arm->getTree(), frames, pose, notes);
             return goal.orFail([&] { return std::make_shared<LinkPoseGoal>(arm, pose); });
         }
-    }
-
-    const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames)
-    {
-        const std::string name = moveItFrame(node);
-        const auto frame = frames.find(name);
-        if (frame == frames.end())
-        {
-            std::vector<std::string> known;
-            for (const auto &[one, pose] : frames)
-                if (!one.empty())
-                    known.push_back(one);
-            node.at("header").fail("there is no fixed frame '" + name + "'; there are " + joined(known, "'") +
-                                   didYouMean(name, known));
-        }
-        return frame->second;
     }
 
     std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,

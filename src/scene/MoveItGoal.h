@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_MOVE_IT_GOAL_
 #define OMPL_CERTIFICATES_SCENE_MOVE_IT_GOAL_
 
+#include "MoveItFrames.h"
 #include "YamlNode.h"
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/scene/ArmFile.h"
@@ -12,12 +13,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief The poses of frames in the workspace */
-    using MoveItFrames = std::map<std::string, Pose>;
-
-    /** \brief The pose of the frame that the header of \e node names */
-    const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames);
-
     /** \brief The values of the joints in \e state as coordinates of the group of \e arm; \e node is where a message
         says that one is missing */
     std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_MOVE_IT_OCTOMAP_
 #define OMPL_CERTIFICATES_SCENE_MOVE_IT_OCTOMAP_
 
-#include "MoveItGoal.h"
+#include "MoveItFrames.h"
 #include "YamlNode.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 

@@ -1,6 +1,6 @@
 #include "MoveItWorld.h"
 
-#include "MoveItGoal.h"
+#include "MoveItFrames.h"
 #include "MoveItMessages.h"
 #include "MoveItOctomap.h"
 #include "MoveItPlanes.h"

@@ -134,7 +134,17 @@ namespace ompl_certificates
                     keep(element, {"origin", "geometry"});
             }
             for (const pugi::xml_node joint : robot.children("joint"))
+            {
                 keep(joint, {"origin", "parent", "child", "axis", "limit", "mimic"});
+                // urdfdom asks for them.
+                for (pugi::xml_node limit : joint.children("limit"))
+                    for (const char *const name : {"effort", "velocity"})
+                    {
+                        limit.remove_attribute(name);
+                        limit.append_attribute(name) = 0;
+                    }
+            }
+            robot.remove_attribute("version");
         }
 
         /** What urdfdom would not notice, or not name */

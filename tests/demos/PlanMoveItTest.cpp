@@ -35,6 +35,11 @@ TEST_F(PlanTeam, readsPlanningScenesOfMoveIt)
     EXPECT_NE(errors_.find("torn.yaml:3: not valid YAML"), std::string::npos) << errors_;
     EXPECT_EQ(planWith(scene(), 2), 2);
     EXPECT_NE(errors_.find("--request: is for planning scenes of MoveIt"), std::string::npos) << errors_;
+    // The request in place of the scene
+    EXPECT_EQ(planWith(files[1], 6), 2);
+    EXPECT_NE(errors_.find("--request: is for planning scenes of MoveIt, which " + files[1] + " is not"),
+              std::string::npos)
+        << errors_;
     // A mesh in a package that is elsewhere
     std::filesystem::create_directories(folder_ / "parts");
     folder_.write("parts/a.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");

@@ -56,6 +56,22 @@ namespace ompl_certificates
         EXPECT_EQ(limits->as<ompl::base::RealVectorStateSpace>()->getBounds().high, std::vector<double>{2.0});
     }
 
+    TEST(ArmFile, NeedsNoEffortAndNoVelocity)
+    {
+        const test::Folder folder;
+        for (const std::string rest : {"", "effort='inf'", "effort='' velocity='fast'"})
+        {
+            std::string text =
+                robot(link("base") + link("tip") +
+                      joint("turn", "revolute", "base", "tip", "<limit lower='-1' upper='2' " + rest + "/>"));
+            text.replace(text.find("<robot"), 6, "<robot version='1.1'");
+            const auto arm = ArmFile(folder.write("a.urdf", text)).makeArm("arm", "", {});
+            const auto &bounds = arm->getTree().getLinks()[1].joint;
+            EXPECT_EQ(bounds.lower, -1.0);
+            EXPECT_EQ(bounds.upper, 2.0);
+        }
+    }
+
     TEST(ArmFile, KeepsPairsThatSeldomStayApart)
     {
         const test::Folder folder;

@@ -170,7 +170,13 @@ namespace ompl_certificates
                 {pose("link_name: tip", ""),
                  "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region: missing"},
                 {pose("link_name: nose, " + BALL_REGION, ""),
-                 "request.yaml:3: goal_constraints[0]: two_links: goal of link 'nose': there is no such link"},
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].link_name: there is no link 'nose'"},
+                {pose("", "link_name: tpi, orientation: [0, 0, 0, 1]"),
+                 "request.yaml:3: goal_constraints[0].orientation_constraints[0].link_name: there is no link 'tpi'; did "
+                 "you mean tip?"},
+                {pose("link_name: tip, header: {frame_id: lower}, " + BALL_REGION, ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].header: there is no fixed frame 'lower'; "
+                 "there are 'base', 'world'"},
                 {pose("link_name: base, " + BALL_REGION, ""),
                  "request.yaml:3: goal_constraints[0]: two_links: goal of link 'base': the arm does not move this"},
                 {pose("link_name: tip, header: {frame_id: moon}, " + BALL_REGION, ""),

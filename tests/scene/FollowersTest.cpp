@@ -109,6 +109,12 @@ namespace ompl_certificates
         state = std::vector<double>{0.0};
         const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitX()).toRotationMatrix();
         EXPECT_TRUE(arm.getLinkPose(state.get(), "half").linear().isApprox(turn, 1e-12));
+        folder.write("b.urdf",
+                     robot(link("base") + link("wheel") + link("screw") + joint("turn", "continuous", "base", "wheel") +
+                           joint("rise", "prismatic", "base", "screw", LIMIT + "<mimic joint='turn'/>")));
+        EXPECT_NE(messageOf([&] { ArmFile(folder.path() + "/b.urdf").makeArm("arm", "", {}); })
+                      .find("joint 'rise': mimics the continuous joint 'turn', so it must turn, but it is prismatic"),
+                  std::string::npos);
         const std::string message = messageOf([&] { read("group: wheel"); });
         EXPECT_NE(message.find("joint 'follow': mimics the continuous joint 'turn', so it must turn, by a "
                                "whole multiple and not by 0.5"),

@@ -76,6 +76,60 @@ namespace ompl_certificates
             EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
         }
 
+        TEST_F(MoveItScene, ObstaclesCanBeInTheFrameOfALinkThatMoves)
+        {
+            const SceneFile file = read(
+                "robot_state: {joint_state: {name: [turn, slide], position: [1.5707963267948966, 0.1]}, "
+                "multi_dof_joint_state: {joint_names: [world_joint], transforms: [{translation: [5, 0, 0]}]}}\n" +
+                OBJECTS +
+                "    - {id: ball, header: {frame_id: camera}, primitives: [{type: sphere, dimensions: "
+                "[0.1]}], primitive_poses: [{position: [1, 0, 0]}]}\n");
+            EXPECT_TRUE(file.scene.getObstacles().at(0).pose.translation().isApprox(Eigen::Vector3d(5, 2, 0.32)))
+                << file.scene.getObstacles().at(0).pose.translation();
+        }
+
+        TEST_F(MoveItScene, GoalsCanBeInTheFrameOfALinkThatTheGroupDoesNotMove)
+        {
+            // The pointer follows joint "turn", which is not of the group, and the wheel one that is.
+            std::string urdf = TWO_LINKS_URDF;
+            urdf.replace(urdf.find("</robot>"), 8,
+                         "<link name='pointer'/><link name='wheel'/><joint name='follow' type='revolute'>"
+                         "<parent link='base'/><child link='pointer'/><axis xyz='0 0 1'/><limit lower='-9' upper='9' "
+                         "effort='1' velocity='1'/><mimic joint='turn' multiplier='2'/></joint>"
+                         "<joint name='roll' type='continuous'><parent link='base'/><child link='wheel'/>"
+                         "<axis xyz='0 0 1'/><mimic joint='bend'/></joint></robot>");
+            std::string srdf = TWO_LINKS_SRDF;
+            srdf.replace(srdf.find("<joint name=\"turn\"/>"), 21, "");
+            robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf), folder_.write("arm.srdf", srdf));
+            const auto request = [](const std::string &frame, const std::string &position)
+            {
+                return "group_name: arm\n" + START +
+                       "goal_constraints:\n  - position_constraints:\n      - {header: {frame_id: " + frame +
+                       "}, link_name: tip, constraint_region: {primitives: [{type: box, dimensions: [0.02, 0.02, "
+                       "0.02]}], primitive_poses: [{position: " +
+                       position + "}]}}\n";
+            };
+            const auto tipOf = [&](const SceneFile &file) -> Eigen::Vector3d
+            {
+                ompl::base::ScopedState<> goal(armOf(file).getStateSpace());
+                goal = file.scene.getMembers().front().goal;
+                return armOf(file).getLinkPose(goal.get(), "tip").translation();
+            };
+            // At the start joint "turn" is at 1 and "slide" at 0.1.
+            const Eigen::Vector3d inUpper(0.5, 0.5, 0.12);
+            const auto turned = [](double angle, const Eigen::Vector3d &point) -> Eigen::Vector3d
+            { return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * point; };
+            const Eigen::Vector3d expected = turned(1.0, inUpper) + Eigen::Vector3d(0, 0, 0.2);
+            const Eigen::Vector3d inPointer = turned(-2.0, expected);
+            EXPECT_LT((tipOf(read(BALL, request("upper", "[0.5, 0.5, 0.12]"))) - expected).norm(), 0.02);
+            std::ostringstream position;
+            position << '[' << inPointer.x() << ", " << inPointer.y() << ", " << inPointer.z() << ']';
+            EXPECT_LT((tipOf(read(BALL, request("pointer", position.str()))) - expected).norm(), 0.02);
+            for (const std::string moving : {"lower", "wheel"})
+                EXPECT_NE(messageOf(BALL, request(moving, "[0, 0, 0]")).find("there is no fixed frame '" + moving),
+                          std::string::npos);
+        }
+
         /** Obstacles stay where the scene's state of the robot has its root. */
         TEST_F(MoveItScene, GoalsAreSeenFromWhereTheRobotStarts)
         {

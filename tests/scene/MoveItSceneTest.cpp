@@ -125,9 +125,9 @@ namespace ompl_certificates
                             .pose.translation()
                             .isApprox(Eigen::Vector3d(-3.0, 2.0, 1.0)));
             EXPECT_EQ(
-                messageOf(ballIn("tip")),
-                "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'tip'; there are 'base', "
-                "'foot', 'toe', 'world'");
+                messageOf(ballIn("tow")),
+                "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'tow'; there are 'base', "
+                "'camera', 'foot', 'lower', 'tip', 'toe', 'upper', 'world'; did you mean toe?");
         }
 
         TEST_F(MoveItScene, JointsThatCannotMoveAreWhereTheyAre)
@@ -289,7 +289,7 @@ namespace ompl_certificates
             EXPECT_FALSE(isScene("world: {}\nenvironment: {}\n"));
             EXPECT_FALSE(isScene(REQUEST));
             EXPECT_FALSE(isScene("[world]"));
-            EXPECT_FALSE(isScene("world: ["));
+            EXPECT_THROW(isScene("world: ["), ompl::Exception);
             EXPECT_FALSE(isScene(""));
             EXPECT_THROW(isMoveItScene(folder_ / "absent.yaml"), ompl::Exception);
         }

@@ -9,8 +9,8 @@
 namespace ompl_certificates
 {
     /** \brief Whether \e file is a planning scene of MoveIt in YAML, by its keys. A pipe is not, for it can
-        be read but once.
-        \throws ompl::Exception if the file cannot be read */
+        be read but once. Neither is a .cfg file.
+        \throws ompl::Exception if the file cannot be read, or is not valid YAML */
     bool isMoveItScene(const std::string &file);
 
     /** \brief Read what MoveIt calls a planning scene and a motion plan request, from YAML files as MotionBenchMaker
