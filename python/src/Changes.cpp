@@ -231,7 +231,8 @@ namespace ompl_certificates_python
                     py::arg("first") = std::vector<std::int64_t>(),
                     "Set which cells of a grid are occupied, all at once: those that the array covers, whose first one "
                     "has the index first. Others stay. The scene's own grids and maps have the numbers that "
-                    "Scene.add_grid and the like returned. Time goes with the cells that the array covers. "
+                    "Scene.add_grid and the like returned. Cells are those of the map itself, whatever depth it was loaded "
+                    "with. Time goes with the cells that the array covers, at the first change of a map with all of its. "
                     "Where it raises an Error, nothing has changed.");
         }
     }

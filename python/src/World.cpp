@@ -11,6 +11,23 @@ namespace ompl_certificates_python
 {
     using namespace ompl_certificates;
 
+    namespace
+    {
+        /** Do \e work; what it throws names \e where, too. */
+        template <typename Work>
+        void orFail(const std::string &where, const Work &work)
+        {
+            try
+            {
+                work();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                throw ompl::Exception(where, exception.what());
+            }
+        }
+    }
+
     std::vector<Eigen::Vector3d> inPlane(CloudPoints points, double radius, const ZInterval &heights,
                                          const std::string &what)
     {
@@ -100,10 +117,12 @@ namespace ompl_certificates_python
     {
         PointCloudSet set = takeSet(cloud);
         const double radius = *sensed_[cloud].radius;
-        set.remove(placed(std::move(change.removed), radius, "remove"));
+        const std::vector<Eigen::Vector3d> removed = placed(std::move(change.removed), radius, "remove");
+        orFail("cloud " + std::to_string(cloud) + ": remove", [&] { set.remove(removed); });
         if (!change.cleared.isEmpty())
             set.removeWithin(change.cleared);
-        set.insert(placed(std::move(change.inserted), radius, "insert"));
+        std::vector<Eigen::Vector3d> inserted = placed(std::move(change.inserted), radius, "insert");
+        orFail("cloud " + std::to_string(cloud) + ": insert", [&] { set.insert(std::move(inserted)); });
         ObstacleChange result = set.takeChange();
         Sensed &sensed = sensed_[cloud];
         sensed.obstacles = result.after;
@@ -166,7 +185,7 @@ namespace ompl_certificates_python
         if (!cells)
             throw ompl::Exception("grid", "number " + std::to_string(grid) + " is a cloud of points, not of cells");
         CellSet set(cells->getCellSize(), dimension_, cells->getOrigin());
-        set.insert(cells->getBoxes());
+        orFail("grid " + std::to_string(grid), [&] { set.insert(cells->getBoxes()); });
         set.takeChange();
         return set;
     }

@@ -106,6 +106,8 @@ def test_grids_are_refused_by_name() -> None:
         checker.change_cloud(grid, insert=[[1.0, 1.0]])
     with pytest.raises(oc.Error, match="^grid: there is none of number 2$"):
         checker.change_grid(2, [[True]])
+    with pytest.raises(oc.Error, match="^cloud 0: remove: There is no point at 9 9 to be removed$"):
+        checker.change_cloud(cloud, remove=[[9.0, 9.0]])
 
 
 def test_unknown_cells_are_free_or_occupied(tmp_path: pathlib.Path) -> None:

@@ -29,6 +29,30 @@ namespace ompl_certificates
             one. */
         constexpr unsigned int MOST_APART = 16;
 
+        /** A number that looks random, another for each number (splitmix64) */
+        std::uint64_t mixed(std::uint64_t number)
+        {
+            number += 0x9E3779B97F4A7C15U;
+            number = (number ^ (number >> 30U)) * 0xBF58476D1CE4E5B9U;
+            number = (number ^ (number >> 27U)) * 0x94D049BB133111EBU;
+            return number ^ (number >> 31U);
+        }
+
+        /** A sum over the cells of a box: it does not matter how cells are joined. Of each cell it has the product of
+            a number for each coordinate, so that axes are summed one by one. */
+        std::uint64_t hashOf(const CellBox &box, unsigned int dimension)
+        {
+            std::uint64_t product = 1;
+            for (std::size_t axis = 0; axis < dimension; ++axis)
+            {
+                std::uint64_t sum = 0;
+                for (std::int32_t i = box.low[axis]; i < box.high[axis]; ++i)
+                    sum += mixed((std::uint64_t(axis) << 32U) | static_cast<std::uint32_t>(i));
+                product *= sum;
+            }
+            return product;
+        }
+
         /** A forest of one block */
         std::unique_ptr<const CellForest> forestOf(double cellSize, const std::vector<CellBox> &cells,
                                                    unsigned int dimension, const Eigen::Vector3d &origin)
@@ -310,9 +334,8 @@ namespace ompl_certificates
         std::uint64_t sum = fingerprintOf({double(dimension_), cellSize_});
         if (!origin_.isZero(0.0))
             sum += fingerprintOf({origin_.x(), origin_.y(), origin_.z()});
-        for (const auto &[low, high] : getBoxes())
-            sum += fingerprintOf(
-                {double(low[0]), double(low[1]), double(low[2]), double(high[0]), double(high[1]), double(high[2])});
+        for (const CellBox &box : getBoxes())
+            sum += hashOf(box, dimension_);
         return sum == 0 ? 1 : sum;
     }
 }

@@ -32,8 +32,11 @@ namespace ompl_certificates
             return (1U << static_cast<std::uint32_t>(high)) - (1U << static_cast<std::uint32_t>(low));
         }
 
-        /** How many blocks one box may reach into. A block of a few boxes takes a kilobyte. */
-        constexpr double MOST_BLOCKS = 1 << 20;
+        /** How many blocks boxes that are larger than a block may reach into. A block takes one or two kilobytes. */
+        constexpr double MOST_BLOCKS = 1 << 18;
+
+        /** A box of a block's size may reach into so many, or fewer in the plane. */
+        constexpr double BLOCKS_OF_ONE = 8.0;
 
         constexpr std::size_t NO_BOX = std::numeric_limits<std::size_t>::max();
 
@@ -97,19 +100,23 @@ namespace ompl_certificates
     void CellSet::insert(const std::vector<CellBox> &boxes)
     {
         requireCells(boxes, dimension_);
+        double sum = 0.0;
         for (const CellBox &box : boxes)
         {
             const auto [first, last] = placesOf(box);
             double blocks = 1.0;
             for (std::size_t axis = 0; axis < dimension_; ++axis)
                 blocks *= last[axis] - first[axis] + 1.0;
-            if (blocks > MOST_BLOCKS)
-                throw ompl::Exception(
-                    "CellSet", "a box of cells is too large to be changed cell by cell: it reaches into " +
-                                   std::to_string(static_cast<std::uint64_t>(blocks)) + " blocks of " +
-                                   std::to_string(BLOCK) + " cells a side, more than " +
-                                   std::to_string(static_cast<std::uint64_t>(MOST_BLOCKS)) + ". Use larger cells");
+            // Many smaller ones may be in one block.
+            if (blocks > BLOCKS_OF_ONE)
+                sum += blocks;
         }
+        if (sum > MOST_BLOCKS)
+            throw ompl::Exception(
+                "CellSet", "boxes of cells are too large to be changed cell by cell: they reach into " +
+                               std::to_string(static_cast<std::uint64_t>(sum)) + " blocks of " + std::to_string(BLOCK) +
+                               " cells a side, more than " + std::to_string(static_cast<std::uint64_t>(MOST_BLOCKS)) +
+                               ". Use larger cells, or leave what is unknown free");
         for (const CellBox &box : boxes)
         {
             const auto [first, last] = placesOf(box);

@@ -93,6 +93,20 @@ namespace ompl_certificates
             }
             return cells;
         }
+
+        std::vector<CellBox> cellsOf(const std::string &content, const std::string &imageFile,
+                                     const Thresholds &thresholds, bool unknownIsOccupied)
+        {
+            try
+            {
+                PnmReader image(content, CellBox::FARTHEST);
+                return cellsOf(image, thresholds, unknownIsOccupied);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                throw ompl::Exception(imageFile, exception.what());
+            }
+        }
     }
 
     std::shared_ptr<const CellObstacles> loadOccupancyMap(const std::string &file, bool unknownIsOccupied)
@@ -108,9 +122,8 @@ namespace ompl_certificates
             [&]
             {
                 const std::string content = readRegularFile(imageFile, MOST_BYTES);
-                PnmReader image(content, CellBox::FARTHEST);
-                return std::make_shared<CellObstacles>(resolution, cellsOf(image, thresholds, unknownIsOccupied), 2,
-                                                       origin);
+                return std::make_shared<CellObstacles>(
+                    resolution, cellsOf(content, imageFile, thresholds, unknownIsOccupied), 2, origin);
             });
     }
 }

@@ -25,8 +25,8 @@ namespace ompl_certificates
         using Columns = std::array<std::size_t, 3>;
 
         /** Reads the names of columns
-            \return whether x, y and z are among \e words, once each */
-        bool findColumns(const std::vector<std::string_view> &words, Columns &columns)
+            \return whether x, y and z are among \e words */
+        bool findColumns(const std::vector<std::string_view> &words, const LineReader &text, Columns &columns)
         {
             std::array<int, 3> found{};
             for (std::size_t i = 0; i < words.size(); ++i)
@@ -40,6 +40,9 @@ namespace ompl_certificates
                     ++found[axis];
                 }
             }
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (found[axis] > 1)
+                    text.fail(std::string(1, "xyz"[axis]) + " is named twice");
             return found == std::array<int, 3>{1, 1, 1};
         }
 
@@ -86,7 +89,7 @@ namespace ompl_certificates
                 told = toCount(words[0]);
                 continue;
             }
-            if (mayBeHeader && findColumns(words, columns))
+            if (mayBeHeader && findColumns(words, text, columns))
             {
                 named = words.size();
                 continue;
@@ -96,10 +99,17 @@ namespace ompl_certificates
                 named > 0 && words.size() > named && parseNumber(words[named], more) && std::isfinite(more))
                 text.fail("there are more numbers than the first line names columns");
             ++rows;
+            if (words.front().find(',') != std::string_view::npos)
+                text.fail("there are commas, which are for .csv files");
             Eigen::Vector3d point;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                point[static_cast<Eigen::Index>(axis)] =
-                    text.toNumber(columns[axis] < words.size() ? words[columns[axis]] : std::string_view());
+            {
+                if (columns[axis] >= words.size())
+                    text.fail(std::string("there is no ") + "xyz"[axis] + ": the line has " +
+                              std::to_string(words.size()) + " of " + std::to_string(named > 0 ? named : 3) +
+                              " numbers");
+                point[static_cast<Eigen::Index>(axis)] = text.toNumber(words[columns[axis]]);
+            }
             if (!point.allFinite())
                 continue;
             if (!isPoint(point))

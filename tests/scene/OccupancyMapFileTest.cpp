@@ -154,7 +154,10 @@ namespace ompl_certificates
               std::string("P2\n3 2\n255\n0 abc 255\n255 0 0\n"), std::string("P2\n3 2\n255\n0 -255 255\n255 0 0\n"),
               std::string("P2\n3 2\n100\n0 101 0\n0 0 0\n"), std::string("P1\n3 2\n1 0 2\n0 0 0\n"),
               std::string("P1\n3 2\n10001\n"), std::string("P4\n9 2\n\x01\x80\x01"), std::string("P5\n3 2\n255")})
+        {
             EXPECT_NE(errorOf(MAP, image).find(":1: image: "), std::string::npos) << image;
+            EXPECT_NE(errorOf(MAP, image).find("/map.pgm: it"), std::string::npos) << image;
+        }
     }
 
     TEST(OccupancyMapFile, IsAnObstacleOfScenes)

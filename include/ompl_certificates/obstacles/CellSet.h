@@ -52,8 +52,8 @@ namespace ompl_certificates
 
         /** \brief Add all cells of some boxes; those that are there stay. In the plane a cell stands for an endless
             prism, and its place along z does not count. Cost: linear in the cells.
-            \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST, or reaches into more than
-            a million blocks of 16 cells a side, gigabytes. Then none is added. */
+            \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST, or if those that are larger
+            than a block of 16 cells a side reach into more than 262144 blocks, half a gigabyte. Then none is added. */
         void insert(const std::vector<CellBox> &boxes);
 
         /** \brief Remove all cells of some boxes that are there. Cost: linear in the cells of blocks that the
