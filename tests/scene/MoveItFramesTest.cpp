@@ -99,7 +99,7 @@ namespace ompl_certificates
                          "<joint name='roll' type='continuous'><parent link='base'/><child link='wheel'/>"
                          "<axis xyz='0 0 1'/><mimic joint='bend'/></joint></robot>");
             std::string srdf = TWO_LINKS_SRDF;
-            srdf.replace(srdf.find("<joint name=\"turn\"/>"), 21, "");
+            srdf.replace(srdf.find("<joint name=\"turn\"/>"), 20, "");
             robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf), folder_.write("arm.srdf", srdf));
             const auto request = [](const std::string &frame, const std::string &position)
             {

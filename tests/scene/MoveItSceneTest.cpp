@@ -290,7 +290,7 @@ namespace ompl_certificates
             EXPECT_FALSE(isScene(REQUEST));
             EXPECT_FALSE(isScene("[world]"));
             EXPECT_THROW(isScene("world: ["), ompl::Exception);
-            EXPECT_FALSE(isScene(""));
+            EXPECT_THROW(isScene(""), ompl::Exception);
             EXPECT_THROW(isMoveItScene(folder_ / "absent.yaml"), ompl::Exception);
         }
 
