@@ -234,7 +234,8 @@ namespace ompl_certificates
             {
                 tryDistances(
                     {interval.before, interval.after, body, other, interval.last - interval.first}, bound,
-                    [&] { return intervalText(interval) + ", "; }, "the relative motion bound " + wordsOf(bound));
+                    [&] { return intervalText(interval) + ", "; },
+                    [&] { return "the relative motion bound " + wordsOf(bound); });
             }
 
             /** A change of the poses of two bodies, and its length in units of a bound */
@@ -245,10 +246,11 @@ namespace ompl_certificates
                 double length;
             };
 
-            /** Tries by how much the distances between points of two bodies change */
-            template <typename Where>
+            /** Tries by how much the distances between points of two bodies change. The texts \e where and \e limit are
+                made where they are needed. */
+            template <typename Where, typename Limit>
             void tryDistances(const Change &change, const MotionBound &bound, const Where &where,
-                              const std::string &limit) const
+                              const Limit &limit) const
             {
                 const std::size_t body = change.body, other = change.other;
                 const Pose before = change.before[other].inverse() * change.before[body],
@@ -272,7 +274,7 @@ namespace ompl_certificates
                         if (!(changed <= most * (1.0 + POSE_ROUNDING) + slack))
                             fail(where() + "the distance of the point " + textOf(point) + " of body " +
                                  std::to_string(body) + " to the point " + textOf(still) + " of body " +
-                                 std::to_string(other) + " changes by " + textOf(changed) + ", but " + limit +
+                                 std::to_string(other) + " changes by " + textOf(changed) + ", but " + limit() +
                                  " allows " + textOf(most));
                     }
                 }
@@ -366,7 +368,7 @@ namespace ompl_certificates
                 tryDistances(
                     {posesOf(state.get()), posesOf(other.get()), first, second, 0.0}, {},
                     [&] { return where() + ", which differ in other coordinates than those of " + words + ", "; },
-                    "what they leave out");
+                    [] { return "what they leave out"; });
                 sampler_->sampleUniform(other.get());
                 for (const JointCells::Coordinate &one : cells->getCoordinates())
                     tryInterpolation(state, other, one, words);
@@ -379,8 +381,10 @@ namespace ompl_certificates
                     tryDistances(
                         {posesOf(state.get()), posesOf(other.get()), first, second, std::abs(value - before)},
                         {one.reach, 0.0}, [&] { return where() + ", "; },
-                        "the reach " + textOf(one.reach) + " of coordinate " + std::to_string(one.index) + " in " +
-                            words);
+                        [&] {
+                            return "the reach " + textOf(one.reach) + " of coordinate " + std::to_string(one.index) +
+                                   " in " + words;
+                        });
                     valueAt(state, one.index) = value;
                 }
             }
