@@ -21,8 +21,10 @@ namespace ompl_certificates
             std::vector<std::string> about;
             const MoveItObject object = readMoveItObject(node.at("object"), folder, about);
             if (object.frame != attached.link)
-                node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
-                                       object.frame + "', are not supported");
+                node.at("object").fail("must be in the frame of its link, '" + attached.link + "': " +
+                                       (object.frame.empty()
+                                            ? "it has no header.frame_id"
+                                            : "others, such as '" + object.frame + "', are not supported"));
             if (tree.hasLink(object.name))
                 node.at("object").at("id").fail("there is a link '" + object.name + "' already");
             attached.name = object.name;

@@ -95,7 +95,8 @@ namespace ompl_certificates
                  "scene.yaml:4: robot_state.attached_collision_objects[0].link_name: there is no link 'hand'"},
                 {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: a, "
                         "primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
-                 "scene.yaml:4: robot_state.attached_collision_objects[0].object: must be in the frame of its link"},
+                 "scene.yaml:4: robot_state.attached_collision_objects[0].object: must be in the frame of its link, 'tip': it has no "
+                 "header.frame_id"},
                 {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: lower, header: "
                         "{frame_id: tip}, primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
                  "scene.yaml:4: robot_state.attached_collision_objects[0].object.id: there is a link 'lower' already"},
