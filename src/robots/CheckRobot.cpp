@@ -5,6 +5,7 @@
 #include "ompl_certificates/robots/JointCells.h"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
@@ -26,6 +27,9 @@ namespace ompl_certificates
         constexpr double SHORTEST = 1e-3;
 
         constexpr unsigned int INTERVALS = 8;
+
+        /** Some points of a body */
+        using Points = boost::container::static_vector<Eigen::Vector3d, 5>;
 
         std::string wordsOf(const BodyPair &pair)
         {
@@ -199,13 +203,13 @@ namespace ompl_certificates
 
             /** Points at the bounding radius of a body that moves from \e before to \e after, and its origin. They lie
                 along the axes, and where the rotation moves a point in the direction of the translation. */
-            std::vector<Eigen::Vector3d> pointsOf(std::size_t body, const Pose &before, const Pose &after) const
+            Points pointsOf(std::size_t body, const Pose &before, const Pose &after) const
             {
                 const double radius = robot_.getBodies()[body].getBoundingRadius();
                 const Eigen::Vector3d along =
                     (after.linear() - before.linear()).transpose() * (after.translation() - before.translation());
-                std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero(), radius * Eigen::Vector3d::UnitX(),
-                                                    radius * Eigen::Vector3d::UnitY()};
+                Points points{Eigen::Vector3d::Zero(), radius * Eigen::Vector3d::UnitX(),
+                              radius * Eigen::Vector3d::UnitY()};
                 if (robot_.getWorkspaceDimension() == 3)
                     points.emplace_back(radius * Eigen::Vector3d::UnitZ());
                 if (along.norm() > 0.0)
@@ -262,7 +266,7 @@ namespace ompl_certificates
                 for (const Eigen::Vector3d &point : pointsOf(body, before, after))
                 {
                     const Eigen::Vector3d start = before * point, end = after * point, moved = end - start;
-                    std::vector<Eigen::Vector3d> others{Eigen::Vector3d::Zero()};
+                    Points others{Eigen::Vector3d::Zero()};
                     // The distance to a point changes most if that point lies in the direction of the movement.
                     if (moved.norm() > 0.0)
                         for (const double side : {-radius, radius})
