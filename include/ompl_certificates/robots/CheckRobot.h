@@ -23,8 +23,8 @@ namespace ompl_certificates
           than they say or changes otherwise than steadily along a motion.
 
         \param robot the robot; its space is set up
-        \param motions how many motions to try. Cost: some 10 µs each for a rigid robot, and
-        70 µs more for each pair of bodies that an arm has checked.
+        \param motions how many motions to try. Cost: some 10 µs each for a rigid robot, and 70 µs more for each pair of
+        bodies that an arm has checked.
         \throws ompl::Exception at the first fault, with the states, the times, the body and the distances */
     void checkRobot(const Robot &robot, unsigned int motions = 1000);
 }
