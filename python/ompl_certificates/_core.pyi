@@ -528,7 +528,9 @@ class Checker:
     def change_grid(self, grid: Whole, occupied: ArrayLike, first: ArrayLike = ()) -> None:
         """Set which cells of a grid are occupied, all at once: those that the array covers, whose first one has the
         index first. Others stay. The scene's own grids and maps have the numbers that Scene.add_grid and the like
-        returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has changed."""
+        returned. Cells are those of the map itself, whatever depth it was loaded with. Time goes with the cells that
+        the array covers, at the first change of a map with all of its. Where it raises an Error, nothing has
+        changed."""
     def without_robots(
         self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0
     ) -> NDArray[np.float64]:

@@ -133,7 +133,7 @@ namespace ompl_certificates_python
     ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size, const Eigen::Vector3d &origin)
     {
         CellSet cells(size, dimension_, origin);
-        cells.insert(occupied);
+        orFail("occupied", [&] { cells.insert(occupied); });
         ObstacleChange change = cells.takeChange();
         sensed_.push_back({change.after, "added grid " + std::to_string(sensed_.size()), {}, {}, std::move(cells)});
         return ofWorld(std::move(change));
@@ -144,7 +144,7 @@ namespace ompl_certificates_python
     {
         CellSet cells = takeCells(grid);
         cells.remove(free);
-        cells.insert(occupied);
+        orFail("grid " + std::to_string(grid) + ": occupied", [&] { cells.insert(occupied); });
         ObstacleChange result = cells.takeChange();
         Sensed &sensed = sensed_[grid];
         sensed.obstacles = result.after;

@@ -331,11 +331,12 @@ namespace ompl_certificates
 
     std::uint64_t CellObstacles::getFingerprint() const
     {
-        std::uint64_t sum = fingerprintOf({double(dimension_), cellSize_});
-        if (!origin_.isZero(0.0))
-            sum += fingerprintOf({origin_.x(), origin_.y(), origin_.z()});
+        std::uint64_t sum = 0;
         for (const CellBox &box : getBoxes())
             sum += hashOf(box, dimension_);
-        return sum == 0 ? 1 : sum;
+        // MixedObstacles adds up its members: cells of one grid must not count as much in another.
+        const std::uint64_t fingerprint =
+            mixed(sum ^ mixed(fingerprintOf({double(dimension_), cellSize_, origin_.x(), origin_.y(), origin_.z()})));
+        return fingerprint == 0 ? 1 : fingerprint;
     }
 }

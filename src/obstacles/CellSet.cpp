@@ -33,7 +33,7 @@ namespace ompl_certificates
         }
 
         /** How many blocks boxes that are larger than a block may reach into. A block takes one or two kilobytes. */
-        constexpr double MOST_BLOCKS = 1 << 18;
+        constexpr double MOST_BLOCKS = 1 << 20;
 
         /** A box of a block's size may reach into so many, or fewer in the plane. */
         constexpr double BLOCKS_OF_ONE = 8.0;
@@ -100,23 +100,27 @@ namespace ompl_certificates
     void CellSet::insert(const std::vector<CellBox> &boxes)
     {
         requireCells(boxes, dimension_);
+        // Many of them may be in one block, such as the rows of a picture: those of the box around all are enough.
         double sum = 0.0;
+        CellBox around{{CellBox::FARTHEST, CellBox::FARTHEST, CellBox::FARTHEST},
+                       {-CellBox::FARTHEST, -CellBox::FARTHEST, -CellBox::FARTHEST}};
         for (const CellBox &box : boxes)
-        {
-            const auto [first, last] = placesOf(box);
-            double blocks = 1.0;
-            for (std::size_t axis = 0; axis < dimension_; ++axis)
-                blocks *= last[axis] - first[axis] + 1.0;
-            // Many smaller ones may be in one block.
-            if (blocks > BLOCKS_OF_ONE)
+            if (const double blocks = countBlocks(box); blocks > BLOCKS_OF_ONE)
+            {
                 sum += blocks;
-        }
-        if (sum > MOST_BLOCKS)
-            throw ompl::Exception(
-                "CellSet", "boxes of cells are too large to be changed cell by cell: they reach into " +
-                               std::to_string(static_cast<std::uint64_t>(sum)) + " blocks of " + std::to_string(BLOCK) +
-                               " cells a side, more than " + std::to_string(static_cast<std::uint64_t>(MOST_BLOCKS)) +
-                               ". Use larger cells, or leave what is unknown free");
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                {
+                    around.low[axis] = std::min(around.low[axis], box.low[axis]);
+                    around.high[axis] = std::max(around.high[axis], box.high[axis]);
+                }
+            }
+        if (sum > MOST_BLOCKS && countBlocks(around) > MOST_BLOCKS)
+            throw ompl::Exception("CellSet",
+                                  "boxes of cells are too large to be changed cell by cell: they reach into up to " +
+                                      std::to_string(static_cast<std::uint64_t>(std::min(sum, countBlocks(around)))) +
+                                      " blocks of " + std::to_string(BLOCK) + " cells a side, more than " +
+                                      std::to_string(static_cast<std::uint64_t>(MOST_BLOCKS)) +
+                                      ". Use larger cells, or leave what is unknown free");
         for (const CellBox &box : boxes)
         {
             const auto [first, last] = placesOf(box);
@@ -157,6 +161,15 @@ namespace ompl_certificates
             for (const Place &place : met)
                 setWithin(place, box, false);
         }
+    }
+
+    double CellSet::countBlocks(const CellBox &box) const
+    {
+        const auto [first, last] = placesOf(box);
+        double blocks = 1.0;
+        for (std::size_t axis = 0; axis < dimension_; ++axis)
+            blocks *= last[axis] - first[axis] + 1.0;
+        return blocks;
     }
 
     std::pair<CellSet::Place, CellSet::Place> CellSet::placesOf(const CellBox &box) const

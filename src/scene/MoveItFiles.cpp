@@ -238,8 +238,8 @@ namespace ompl_certificates
             const YamlNode groupNode = wish.at("group_name");
             const std::string group = groupNode.text();
             // Obstacles stay where the scene's state of the robot has them. Goals are seen from the robot that starts.
-            const MoveItFrames goalFrames =
-                groupNode.orFail([&] { return readMoveItFrames(root, robot, state, robot.getJoints(group)); });
+            const std::vector<std::string> moving = groupNode.orFail([&] { return robot.getJoints(group); });
+            const MoveItFrames goalFrames = readMoveItFrames(root, robot, state, moving);
             ArmFile::ArmSettings settings = settingsOf(wish, state);
             setOtherJoints(robot.getTree(), settings);
             settings.linkPadding = readMoveItPadding(root, robot.getTree());

@@ -139,6 +139,15 @@ namespace ompl_certificates
             return name.text();
         }
 
+        /** The pose of the frame that a constraint is in */
+        const Pose &readGoalFrame(const YamlNode &node, const KinematicTree &tree, const MoveItFrames &frames)
+        {
+            const std::string name = moveItFrame(node);
+            if (frames.count(name) == 0 && tree.hasLink(name))
+                node.at("header").fail("the group moves link '" + name + "', so that no goal can be in its frame");
+            return readMoveItFrame(node, frames);
+        }
+
         void readPosition(const YamlNode &node, const KinematicTree &tree, const MoveItFrames &frames, LinkPose &pose,
                           std::vector<std::string> &notes)
         {
@@ -148,7 +157,7 @@ namespace ompl_certificates
                 pose.point = readMoveItVector(node.at("target_point_offset"));
             const YamlNode regionNode = node.at("constraint_region");
             const PlacedBody region = readMoveItRegion(regionNode, notes);
-            const Pose middle = readMoveItFrame(node, frames) * region.pose;
+            const Pose middle = readGoalFrame(node, tree, frames) * region.pose;
             const Shape &shape = region.body.getParts().front().shape;
             pose.position = LinkPose::Position{middle.translation()};
             pose.position->axes = middle.linear();
@@ -170,7 +179,7 @@ namespace ompl_certificates
             if (pose.position && link != pose.link)
                 node.at("link_name").fail("must be that of the position, '" + pose.link + "'");
             pose.link = link;
-            const Pose &frame = readMoveItFrame(node, frames);
+            const Pose &frame = readGoalFrame(node, tree, frames);
             pose.rotation = LinkPose::Rotation{frame.linear() * readMoveItRotation(node.at("orientation"), &notes)};
             const std::string kind = moveItText(node, "parameterization");
             if (!kind.empty() && kind != "0" && kind != "1")

@@ -99,8 +99,6 @@ namespace ompl_certificates
                 named > 0 && words.size() > named && parseNumber(words[named], more) && std::isfinite(more))
                 text.fail("there are more numbers than the first line names columns");
             ++rows;
-            if (words.front().find(',') != std::string_view::npos)
-                text.fail("there are commas, which are for .csv files");
             Eigen::Vector3d point;
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
@@ -108,7 +106,10 @@ namespace ompl_certificates
                     text.fail(std::string("there is no ") + "xyz"[axis] + ": the line has " +
                               std::to_string(words.size()) + " of " + std::to_string(named > 0 ? named : 3) +
                               " numbers");
-                point[static_cast<Eigen::Index>(axis)] = text.toNumber(words[columns[axis]]);
+                const std::string_view word = words[columns[axis]];
+                if (word.find(',') != std::string_view::npos)
+                    text.fail("there is " + inQuotes(word) + ": commas are only between the columns of .csv files");
+                point[static_cast<Eigen::Index>(axis)] = text.toNumber(word);
             }
             if (!point.allFinite())
                 continue;

@@ -310,6 +310,14 @@ TEST(CellSet, RefusesWhatMakesNoSense)
         slabs.push_back({{-1024, -1024, 16 * i}, {1024, 1024, 16 * i + 16}});
     EXPECT_THROW(set.insert(slabs), ompl::Exception);
     EXPECT_EQ(set.size(), 0U);
+    // The rods of a cube share blocks: they reach into some 4000.
+    std::vector<CellBox> rods;
+    for (std::int32_t y = 0; y < 256; ++y)
+        for (std::int32_t z = 0; z < 256; ++z)
+            rods.push_back({{0, y, z}, {256, y + 1, z + 1}});
+    CellSet cube(SIZE);
+    cube.insert(rods);
+    EXPECT_EQ(cube.size(), std::size_t(1) << 24U);
     set.insert({good});
     EXPECT_THROW(set.remove({good, empty}), ompl::Exception);
     EXPECT_EQ(set.size(), 1U);

@@ -1,6 +1,7 @@
 #include "support/MeshObstacles.h"
 #include "support/RandomStates.h"
 
+#include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/CheckObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudSet.h"
@@ -137,6 +138,12 @@ TEST(MixedObstacles, PromiseNoMoreThanEachOfThem)
     EXPECT_NE(boxes.getFingerprint(), 0U);
     EXPECT_NE(boxes.getFingerprint(), MixedObstacles({box}).getFingerprint());
     EXPECT_EQ(both.getFingerprint(), 0U);
+    // Cells of one grid are not those of another.
+    const std::vector<CellBox> some{{{3, 4, 5}, {4, 5, 6}}}, others{{{7, 8, 9}, {9, 9, 10}}};
+    const auto grid = [](const std::vector<CellBox> &cells, double origin)
+    { return std::make_shared<CellObstacles>(0.5, cells, 3, Eigen::Vector3d(origin, 0.0, 0.0)); };
+    EXPECT_NE(MixedObstacles({grid(some, 0.0), grid(others, 10.0)}).getFingerprint(),
+              MixedObstacles({grid(others, 0.0), grid(some, 10.0)}).getFingerprint());
 
     const std::vector<PlacedBody> none;
     const auto low = std::make_shared<FclObstacles>(none, 2, ZInterval{0.0, 2.0});

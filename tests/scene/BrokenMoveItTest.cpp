@@ -176,8 +176,8 @@ namespace ompl_certificates
                  "request.yaml:3: goal_constraints[0].orientation_constraints[0].link_name: there is no link 'tpi'; did "
                  "you mean tip?"},
                 {pose("link_name: tip, header: {frame_id: lower}, " + BALL_REGION, ""),
-                 "request.yaml:3: goal_constraints[0].position_constraints[0].header: there is no fixed frame 'lower'; "
-                 "there are 'base', 'world'"},
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].header: the group moves link 'lower', so "
+                 "that no goal can be in its frame"},
                 {pose("link_name: base, " + BALL_REGION, ""),
                  "request.yaml:3: goal_constraints[0]: two_links: goal of link 'base': the arm does not move this"},
                 {pose("link_name: tip, header: {frame_id: moon}, " + BALL_REGION, ""),

@@ -209,7 +209,7 @@ namespace ompl_certificates
             {"a.txt", "one two three\n", "line 1: "},
             {"a.txt", "x y x\n1 2 3\n", "line 1: x is named twice"},
             {"a.txt", "id x y z\n7 1 2\n", "line 2: there is no z: the line has 3 of 4 numbers"},
-            {"a.txt", "1,2,3\n", "line 1: there are commas, which are for .csv files"},
+            {"a.txt", "1,2,3\n", "line 1: there is '1,2,3': commas are only between the columns of .csv files"},
             {"a.csv", "1;2;3\n", "line 1: "},
             {"a.csv", "1,5;2,5;3,5\n", "line 1: there is '5;2', not a number"},
             {"a.csv", "x,y,z\n1,5,2,5,3,5\n", "line 2: there are more numbers than the first line names"},

@@ -77,8 +77,8 @@ namespace ompl_certificates
             return true;
         }
 
-        /** \brief A checksum of the cells as boxes, their size and their origin. A CellSet joins cells in blocks, so
-            the same cells have another one there. Cost: linear in the number of boxes. */
+        /** \brief A checksum of the cells, their size and their origin. It does not matter how cells are joined to boxes.
+            Cost: linear in the lengths of the boxes' edges. */
         std::uint64_t getFingerprint() const override;
 
         /** \brief The edge length of a cell */

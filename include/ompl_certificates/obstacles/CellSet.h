@@ -53,7 +53,8 @@ namespace ompl_certificates
         /** \brief Add all cells of some boxes; those that are there stay. In the plane a cell stands for an endless
             prism, and its place along z does not count. Cost: linear in the cells.
             \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST, or if those that are larger
-            than a block of 16 cells a side reach into more than 262144 blocks, half a gigabyte. Then none is added. */
+            than a block of 16 cells a side reach into more than a million blocks, gigabytes, and so does the box around
+            them. Then none is added. */
         void insert(const std::vector<CellBox> &boxes);
 
         /** \brief Remove all cells of some boxes that are there. Cost: linear in the cells of blocks that the
@@ -97,6 +98,9 @@ namespace ompl_certificates
 
         /** \brief The cells of a block as they were at the last takeChange() */
         Cells cellsOf(const Place &place) const;
+
+        /** \brief How many blocks a box reaches into */
+        double countBlocks(const CellBox &box) const;
 
         /** \brief The first and the last block that a box reaches into */
         std::pair<Place, Place> placesOf(const CellBox &box) const;
