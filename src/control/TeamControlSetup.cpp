@@ -117,7 +117,16 @@ namespace ompl_certificates
             return;
         }
         const auto start = ompl::time::now();
-        ControlPathSimplifier(si_, getGoal()).simplify(getSolutionPath(), condition);
+        ompl::control::PathControl &path = getSolutionPath();
+        ControlPathSimplifier(si_, getGoal()).simplify(path, condition);
+        // A solution is kept with what it cost when it was found. With what it costs now, no longer one is preferred.
+        ob::PlannerSolution simplified(nullptr);
+        pdef_->getSolution(simplified);
+        simplified.length_ = path.length();
+        if (simplified.opt_)
+            simplified.cost_ = path.asGeometric().cost(simplified.opt_);
+        pdef_->clearSolutionPaths();
+        pdef_->addSolutionPath(simplified);
         simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
     }
 }

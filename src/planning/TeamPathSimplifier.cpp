@@ -30,6 +30,27 @@ namespace ompl_certificates
                    std::abs(cost.value() - old.value()) > part * std::abs(old.value());
         }
 
+        /** A motion of a smaller part of a path's time is one of rounding. */
+        constexpr double LEAST_TIME = 1e-10;
+
+        /** \e path without states that are those before them but for rounding; its ends are kept */
+        og::PathGeometric withoutRepeats(const og::PathGeometric &path)
+        {
+            const ob::SpaceInformationPtr &si = path.getSpaceInformation();
+            const auto timeBetween = [&si](const ob::State *from, const ob::State *to)
+            { return motionTime(*si->getStateSpace(), from, to); };
+            const double least = LEAST_TIME * stateTimes(path).back();
+            og::PathGeometric kept(si, path.getState(0));
+            const auto last = static_cast<unsigned int>(path.getStateCount() - 1);
+            for (unsigned int i = 1; i < last; ++i)
+                if (timeBetween(kept.getStates().back(), path.getState(i)) > least &&
+                    timeBetween(path.getState(i), path.getState(last)) > least)
+                    kept.append(path.getState(i));
+            if (last > 0)
+                kept.append(path.getState(last));
+            return kept;
+        }
+
         /** The team of a checker, which may read other spaces, too; else that of the space */
         Team teamOf(const ob::SpaceInformation &si)
         {
@@ -351,7 +372,13 @@ namespace ompl_certificates
         for (; attempts > 0 && !condition; --attempts)
             isSimpler = changing.tryOne() || isSimpler;
         if (isSimpler)
+        {
             path = changing.getPath(si_);
+            // Its motions are slightly others.
+            if (og::PathGeometric clean = withoutRepeats(path);
+                clean.getStateCount() < path.getStateCount() && clean.check())
+                path = clean;
+        }
         return isSimpler;
     }
 

@@ -114,6 +114,7 @@ namespace ompl_certificates
       : CertificateMotionValidator(existing(checker).getSpaceInformation(), existing(checker).watchSpaceInformation(),
                                    checker, mode)
     {
+        warnOfControls();
     }
 
     CertificateMotionValidator::CertificateMotionValidator(const ob::SpaceInformationPtr &si,
@@ -123,6 +124,7 @@ namespace ompl_certificates
     {
         if (si->getStateSpace() != existing(checker).getTeam().getStateSpace())
             throw ompl::Exception(si->getStateSpace()->getName(), "is not the space of the validity checker");
+        warnOfControls();
     }
 
     CertificateMotionValidator::CertificateMotionValidator(ob::SpaceInformation *si,
@@ -149,7 +151,11 @@ namespace ompl_certificates
                                             "Robot::getStateSpace(), or in a TeamStateSpace"
                                       : "The method " + nameOf(method) +
                                             " makes no certificates and so cannot check motions continuously");
-        if (mode == CONTINUOUS && !spaceInformation_.expired() &&
+    }
+
+    void CertificateMotionValidator::warnOfControls() const
+    {
+        if (mode_ == CONTINUOUS && !spaceInformation_.expired() &&
             dynamic_cast<const ompl::control::SpaceInformation *>(si_))
             OMPL_WARN(
                 "CertificateMotionValidator: planners by controls ask no motion validator, so this one proves nothing. "

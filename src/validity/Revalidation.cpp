@@ -59,7 +59,8 @@ namespace ompl_certificates
         // There are few obstacles, so certificates pay at once.
         checker_->setAdaptive(false);
         checker_->check_->ignoreAllButObstacles();
-        validator_.emplace(checker_, mode);
+        validator_.reset(new CertificateMotionValidator(checker_->getSpaceInformation(),
+                                                        checker_->watchSpaceInformation(), checker_, mode));
     }
 
     bool Revalidation::staysValid(const ob::State *state) const

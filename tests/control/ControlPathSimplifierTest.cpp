@@ -201,6 +201,26 @@ TEST_F(ControlPathSimplifierTest, ReachesGoalsAtTheBounds)
     EXPECT_LT(distanceToGoal(setup), 1e-4);
 }
 
+TEST_F(ControlPathSimplifierTest, LeavesASolutionThatLaterOnesMustBeat)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = swapping(Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
+    setup->setPlanner(std::make_shared<oc::RRT>(setup->getSpaceInformation()));
+    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    oc::PathControl &path = setup->getSolutionPath();
+    const double found = path.length();
+    setup->simplifySolution();
+    const double simplified = path.length();
+    ASSERT_LT(simplified, found);
+    // An RRT that has solved its problem finds other paths to the goal, at once or after a while.
+    for (int i = 0; i < 5; ++i)
+    {
+        setup->solve(0.5);
+        EXPECT_LE(setup->getSolutionPath().length(), simplified);
+    }
+    EXPECT_EQ(path.length(), simplified) << "who holds the path keeps it";
+}
+
 /** A quaternion and its opposite are one goal. */
 TEST_F(ControlPathSimplifierTest, TurnsARobotInSpace)
 {

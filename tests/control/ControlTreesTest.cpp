@@ -5,6 +5,7 @@
 #include "support/Message.h"
 #include "support/Quiet.h"
 #include "support/Random.h"
+#include "support/Warnings.h"
 
 #include "ompl_certificates/obstacles/ObstacleSet.h"
 #include "ompl_certificates/validity/Revalidation.h"
@@ -197,6 +198,15 @@ TEST(ControlTreesTest, RevalidationPropagatesEdgesAgain)
         one.append(controls.getVertex(from).getState());
         one.append(controls.getVertex(to).getState(), edge.getControl(), edge.getDuration());
         EXPECT_EQ(revalidation.findInvalidEdges(one), std::vector<std::size_t>{0});
+    }
+    {
+        // Who makes a validator is told that planners by controls ask none; who asks what has changed is not.
+        const Warnings warnings("ask no motion validator");
+        const Revalidation proved(*setup.getTeamChecker(), change, Mode::CONTINUOUS,
+                                  [](const auto &.../*step*/) { return true; });
+        EXPECT_EQ(warnings.count, 0U);
+        const CertificateMotionValidator own(setup.getTeamChecker(), Mode::CONTINUOUS);
+        EXPECT_EQ(warnings.count, 1U);
     }
     const auto withoutControls = std::make_shared<ob::SpaceInformation>(setup.getStateSpace());
     const TeamValidityChecker geometric(withoutControls, change.after, Method::SHARED_PROJECTION);

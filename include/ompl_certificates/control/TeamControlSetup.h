@@ -45,7 +45,8 @@ namespace ompl_certificates
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief Shorten the time that the solution takes with a ControlPathSimplifier, for at most \e duration
-            seconds (0: as long as it helps). What getSolutionPath() tells changes, the solution's cost does not.
+            seconds (0: as long as it helps). What getSolutionPath() tells changes, and the solution's length and cost.
+            A later solve() returns no path that is worse.
             \throws ompl::Exception as ControlPathSimplifier does, if parts of this setup were replaced */
         void simplifySolution(double duration = 0.0);
 

@@ -128,6 +128,9 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Has one of its own, for motions that no planner asks about */
+        friend class Revalidation;
+
         /** \brief Whether a motion is free as far as the certificates' checker knows. Its lock is released afterwards.
             */
         bool isFree(const ompl::base::State *s1, const ompl::base::State *s2) const;
@@ -143,6 +146,9 @@ namespace ompl_certificates
         CertificateMotionValidator(ompl::base::SpaceInformation *si,
                                    std::weak_ptr<ompl::base::SpaceInformation> watched,
                                    std::shared_ptr<const TeamValidityChecker> checker, Mode mode);
+
+        /** \brief Warns of continuous mode where planners by controls would ask no motion validator */
+        void warnOfControls() const;
 
         /** \brief The validity checker of the space information; null if one of them is not there. Warns once of a
             space information that is gone. */

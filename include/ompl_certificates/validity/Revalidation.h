@@ -8,7 +8,6 @@
 #include <ompl/base/PlannerData.h>
 #include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -107,7 +106,7 @@ namespace ompl_certificates
 
         /** \brief Null if nothing was added */
         std::shared_ptr<TeamValidityChecker> checker_;
-        std::optional<CertificateMotionValidator> validator_;
+        std::unique_ptr<CertificateMotionValidator> validator_;
         StepProof isStepFree_;
     };
 }
