@@ -204,19 +204,26 @@ TEST_F(ControlPathSimplifierTest, ReachesGoalsAtTheBounds)
 TEST_F(ControlPathSimplifierTest, LeavesASolutionThatLaterOnesMustBeat)
 {
     ompl::RNG::setSeed(1);
-    const auto setup = swapping(Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
-    setup->setPlanner(std::make_shared<oc::RRT>(setup->getSpaceInformation()));
-    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-    oc::PathControl &path = setup->getSolutionPath();
+    const auto space = within({2.0, 2.0});
+    TeamControlSetup setup(
+        teamOf({Integrator::secondOrder(RigidRobot::disc("puck", 0.1, space), within({0.5, 0.5}), within({2.0, 2.0}))}),
+        boxes({}));
+    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
+    start = std::vector<double>{-1.5, -1.0, 0.0, 0.0};
+    goal = std::vector<double>{1.5, 1.0, 0.0, 0.0};
+    setup.setStartAndGoalStates(start, goal, 0.4);
+    setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
+    ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    oc::PathControl &path = setup.getSolutionPath();
     const double found = path.length();
-    setup->simplifySolution();
+    setup.simplifySolution();
     const double simplified = path.length();
     ASSERT_LT(simplified, found);
     // An RRT that has solved its problem finds other paths to the goal, at once or after a while.
     for (int i = 0; i < 5; ++i)
     {
-        setup->solve(0.5);
-        EXPECT_LE(setup->getSolutionPath().length(), simplified);
+        setup.solve(0.5);
+        EXPECT_LE(setup.getSolutionPath().length(), simplified);
     }
     EXPECT_EQ(path.length(), simplified) << "who holds the path keeps it";
 }
