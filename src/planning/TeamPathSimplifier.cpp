@@ -42,12 +42,12 @@ namespace ompl_certificates
             const double least = LEAST_TIME * stateTimes(path).back();
             og::PathGeometric kept(si, path.getState(0));
             const auto last = static_cast<unsigned int>(path.getStateCount() - 1);
-            for (unsigned int i = 1; i < last; ++i)
-                if (timeBetween(kept.getStates().back(), path.getState(i)) > least &&
-                    timeBetween(path.getState(i), path.getState(last)) > least)
+            for (unsigned int i = 1; i <= last; ++i)
+                if (timeBetween(kept.getStates().back(), path.getState(i)) > least ||
+                    (i == last && kept.getStateCount() == 1))
                     kept.append(path.getState(i));
-            if (last > 0)
-                kept.append(path.getState(last));
+                else if (i == last)
+                    si->copyState(kept.getStates().back(), path.getState(i));
             return kept;
         }
 
