@@ -55,6 +55,22 @@ namespace
     {
         return setup.getStateSpace()->distance(setup.getSolutionPath().getStates().back(), goalOf(setup));
     }
+
+    /** A puck alone, at rest at the start and at the goal, for which RRT plans */
+    std::unique_ptr<TeamControlSetup> puckFrom(double x, double y, double goalX, double goalY)
+    {
+        const auto space = within({2.0, 2.0});
+        auto setup = std::make_unique<TeamControlSetup>(
+            teamOf({Integrator::secondOrder(RigidRobot::disc("puck", 0.1, space), within({0.5, 0.5}),
+                                            within({2.0, 2.0}))}),
+            boxes({}));
+        ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+        start = std::vector<double>{x, y, 0.0, 0.0};
+        goal = std::vector<double>{goalX, goalY, 0.0, 0.0};
+        setup->setStartAndGoalStates(start, goal, 0.4);
+        setup->setPlanner(std::make_shared<oc::RRT>(setup->getSpaceInformation()));
+        return setup;
+    }
 }
 
 TEST_F(ControlPathSimplifierTest, GetsATeamToItsGoalInLessTime)
@@ -186,45 +202,29 @@ TEST_F(ControlPathSimplifierTest, LetsAFastRobotWaitForASlowOne)
 TEST_F(ControlPathSimplifierTest, ReachesGoalsAtTheBounds)
 {
     ompl::RNG::setSeed(1);
-    const auto space = within({2.0, 2.0});
-    TeamControlSetup setup(
-        teamOf({Integrator::secondOrder(RigidRobot::disc("puck", 0.1, space), within({0.5, 0.5}), within({2.0, 2.0}))}),
-        boxes({}));
-    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
-    start = std::vector<double>{-1.0, 0.0, 0.0, 0.0};
-    goal = std::vector<double>{2.0, 0.0, 0.0, 0.0};
-    setup.setStartAndGoalStates(start, goal, 0.4);
-    setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
-    ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-    setup.simplifySolution();
-    EXPECT_TRUE(setup.getSolutionPath().check());
-    EXPECT_LT(distanceToGoal(setup), 1e-4);
+    const auto setup = puckFrom(-1.0, 0.0, 2.0, 0.0);
+    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    setup->simplifySolution();
+    EXPECT_TRUE(setup->getSolutionPath().check());
+    EXPECT_LT(distanceToGoal(*setup), 1e-4);
 }
 
 TEST_F(ControlPathSimplifierTest, LeavesASolutionThatLaterOnesMustBeat)
 {
     ompl::RNG::setSeed(1);
-    const auto space = within({2.0, 2.0});
-    TeamControlSetup setup(
-        teamOf({Integrator::secondOrder(RigidRobot::disc("puck", 0.1, space), within({0.5, 0.5}), within({2.0, 2.0}))}),
-        boxes({}));
-    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
-    start = std::vector<double>{-1.5, -1.0, 0.0, 0.0};
-    goal = std::vector<double>{1.5, 1.0, 0.0, 0.0};
-    setup.setStartAndGoalStates(start, goal, 0.4);
-    setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
-    ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-    oc::PathControl &path = setup.getSolutionPath();
+    const auto setup = puckFrom(-1.5, -1.0, 1.5, 1.0);
+    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    oc::PathControl &path = setup->getSolutionPath();
     const double found = path.length();
-    setup.simplifySolution();
+    setup->simplifySolution();
     const double simplified = path.length();
     ASSERT_LT(simplified, found);
     for (int i = 0; i < 20; ++i)
     {
         // Its next tree finds another path, mostly longer than the simplified one.
-        setup.getPlanner()->clear();
-        ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-        EXPECT_LE(setup.getSolutionPath().length(), simplified);
+        setup->getPlanner()->clear();
+        ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_LE(setup->getSolutionPath().length(), simplified);
     }
     EXPECT_EQ(path.length(), simplified) << "who holds the path keeps it";
 }
