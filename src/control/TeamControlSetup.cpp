@@ -119,7 +119,7 @@ namespace ompl_certificates
         const auto start = ompl::time::now();
         ompl::control::PathControl &path = getSolutionPath();
         ControlPathSimplifier(si_, getGoal()).simplify(path, condition);
-        // A solution is kept with what it cost when it was found. With its cost of now, a longer one never replaces it.
+        // OMPL keeps each solution with its length and cost, by which it chooses the best one.
         ob::PlannerSolution simplified(nullptr);
         pdef_->getSolution(simplified);
         simplified.length_ = path.length();

@@ -53,11 +53,41 @@ TEST_F(TeamPathSimplifierTest, LowersEveryCostAndKeepsPathsValid)
             EXPECT_TRUE(path.check());
             const auto &space = setup->getStateSpace();
             for (std::size_t i = 1; i < path.getStateCount(); ++i)
-                EXPECT_GT(motionTime(*space, path.getStates()[i - 1], path.getStates()[i]), 1e-10) << i;
+                EXPECT_GT(motionTime(*space, path.getStates()[i - 1], path.getStates()[i]), 0.0) << i;
             og::PathGeometric &old = setup->getSolutionPath();
             EXPECT_TRUE(space->equalStates(path.getState(0), old.getState(0)));
             EXPECT_TRUE(space->equalStates(path.getStates().back(), old.getStates().back()));
         }
+}
+
+TEST_F(TeamPathSimplifierTest, LeavesNoStatesThatRepeatButForRounding)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 4, 4.0, 5);
+        setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const auto &space = setup->getStateSpace();
+        og::PathGeometric &found = setup->getSolutionPath();
+        og::PathGeometric path(setup->getSpaceInformation());
+        ob::ScopedState<> almost(space);
+        for (std::size_t i = 0; i + 1 < found.getStateCount(); ++i)
+        {
+            path.append(found.getStates()[i]);
+            space->interpolate(found.getStates()[i], found.getStates()[i + 1], 1e-13, almost.get());
+            path.append(almost.get());
+        }
+        path.append(found.getStates().back());
+        TeamPathSimplifier simplifier(setup->getSpaceInformation(), objectiveOf(*setup, "arrival"));
+        ASSERT_TRUE(simplifier.simplify(path, 20, ob::plannerNonTerminatingCondition()));
+        EXPECT_TRUE(path.check());
+        EXPECT_TRUE(space->equalStates(path.getState(0), found.getState(0)));
+        EXPECT_TRUE(space->equalStates(path.getStates().back(), found.getStates().back()));
+        for (std::size_t i = 1; i < path.getStateCount(); ++i)
+            EXPECT_GT(motionTime(*space, path.getStates()[i - 1], path.getStates()[i]), 1e-10) << i;
+    }
 }
 
 TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)

@@ -31,8 +31,8 @@ namespace ompl_certificates
         return areApart(a.center - b.center, a.radius + b.radius);
     }
 
-    /** \brief A ball that contains all of \e points enlarged by \e rounding. But for rounding, its radius is within a
-        thousandth of the smallest. There must be points. Cost: linear in the number of points, some five passes over them. */
+    /** \brief A ball that contains all of \e points enlarged by \e rounding. But for rounding errors, its radius is
+        within a thousandth of the smallest. There must be points. Cost: some five passes over them. */
     Ball enclosingBall(const std::vector<Eigen::Vector3d> &points, double rounding);
 }
 
