@@ -38,7 +38,8 @@ set(CPACK_COMPONENT_DEV_DEPENDS runtime)
 # Boost's filesystem and system are named by OMPL's CMake package, which does not depend on them.
 string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "libompl-dev, libfcl-dev, libccd-dev, libeigen3-dev, libboost-dev, libboost-serialization-dev, "
-  "libboost-filesystem-dev, libboost-system-dev, liboctomap-dev, libyaml-cpp-dev, libpugixml-dev, liburdfdom-dev")
+  "libboost-filesystem-dev, libboost-system-dev, liboctomap-dev, libyaml-cpp-dev, libpugixml-dev, libpng-dev, "
+  "liburdfdom-dev")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME ompl-certificates-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_TOOLS_DEPENDS runtime)

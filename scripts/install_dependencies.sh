@@ -10,7 +10,7 @@ packages=(
   libompl-dev libfcl-dev libccd-dev libeigen3-dev libqhull-dev
   # The last two are named by the CMake package of libompl-dev, which does not depend on them.
   libboost-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev
-  libyaml-cpp-dev libpugixml-dev liburdfdom-dev liboctomap-dev nlohmann-json3-dev libcli11-dev
+  libyaml-cpp-dev libpugixml-dev libpng-dev liburdfdom-dev liboctomap-dev nlohmann-json3-dev libcli11-dev
   libgtest-dev libbenchmark-dev libnanoflann-dev
 )
 

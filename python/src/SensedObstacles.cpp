@@ -178,7 +178,7 @@ namespace ompl_certificates_python
                  "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from "
                  "origin on, by default 0; first is the index of occupied[0, 0], by default 0.")
             .def("add_occupancy_map_file", &addOccupancyMapFile, py::arg("file"), py::arg("unknown_occupied") = false,
-                 "Add the occupied cells of a map of ROS's map_server, from its .yaml file and the .pgm image that "
+                 "Add the occupied cells of a map of ROS's map_server, from its .yaml file and the image that "
                  "this names, and return its number. For planar scenes. Unknown cells are free, or occupied; beyond "
                  "the map all is free.")
             .def("add_octomap_file", &addOctomapFile, py::arg("file"), py::arg("depth") = 16,

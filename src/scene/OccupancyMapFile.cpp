@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/OccupancyMapFile.h"
 
+#include "PngReader.h"
 #include "PnmReader.h"
 #include "YamlText.h"
 #include "files/WholeFile.h"
@@ -18,7 +19,9 @@ namespace ompl_certificates
             double occupied{0.65};
             double free{0.25};
             bool brightIsOccupied{false};
+            bool transparentIsUnknown{false};
 
+            /** What is not known to be bright, NaN, is neither occupied nor free. */
             bool isObstacle(double bright, bool unknownIsOccupied) const
             {
                 const double occupancy = brightIsOccupied ? bright : 1.0 - bright;
@@ -57,8 +60,12 @@ namespace ompl_certificates
             }
             // In the mode "scale" what is between the thresholds is unknown, too, but for how likely it is.
             if (root.has("mode"))
-                if (const std::string mode = root.at("mode").text(); mode != "trinary" && mode != "scale")
+            {
+                const std::string mode = root.at("mode").text();
+                if (mode != "trinary" && mode != "scale")
                     root.at("mode").fail("must be trinary or scale, not '" + mode + "'");
+                thresholds.transparentIsUnknown = mode == "scale";
+            }
             return thresholds;
         }
 
@@ -74,7 +81,8 @@ namespace ompl_certificates
         }
 
         /** The obstacles of an image: runs of pixels along its rows */
-        std::vector<CellBox> cellsOf(PnmReader &image, const Thresholds &thresholds, bool unknownIsOccupied)
+        template <class Image>
+        std::vector<CellBox> cellsOf(Image image, const Thresholds &thresholds, bool unknownIsOccupied)
         {
             std::vector<CellBox> cells;
             const auto width = static_cast<std::int32_t>(image.getWidth());
@@ -99,8 +107,10 @@ namespace ompl_certificates
         {
             try
             {
-                PnmReader image(content, CellBox::FARTHEST);
-                return cellsOf(image, thresholds, unknownIsOccupied);
+                if (PngReader::isPng(content))
+                    return cellsOf(PngReader(content, CellBox::FARTHEST, MOST_BYTES, thresholds.transparentIsUnknown),
+                                   thresholds, unknownIsOccupied);
+                return cellsOf(PnmReader(content, CellBox::FARTHEST), thresholds, unknownIsOccupied);
             }
             catch (const ompl::Exception &exception)
             {

@@ -16,7 +16,7 @@ namespace ompl_certificates
 
         [[noreturn]] void failAsDamaged()
         {
-            throw ompl::Exception("it is no image of PGM, PBM or PPM, or is damaged");
+            throw ompl::Exception("it is no image of PNG, PGM, PBM or PPM, or is damaged");
         }
     }
 

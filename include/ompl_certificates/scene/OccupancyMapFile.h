@@ -10,9 +10,10 @@ namespace ompl_certificates
 {
     /** \brief The occupied cells of a map as ROS's map_server has it
 
-        A YAML file names an image (.pgm, .pbm or .ppm), its resolution, the origin of its lower left corner, and the
+        A YAML file names an image (.png, .pgm, .pbm or .ppm), its resolution, the origin of its lower left corner, and the
         thresholds. Each pixel is a square cell of the plane. Dark ones are occupied, or bright ones if \c negate is 1.
-        Missing thresholds are those of map_server, 0.65 and 0.25.
+        Missing thresholds are those of map_server, 0.65 and 0.25. Pixels that are not wholly opaque are unknown in the
+        mode \c scale; in the mode \c trinary opacity counts as a fourth color, as there.
         \param file the YAML file; the image is relative to its folder
         \param unknownIsOccupied whether cells between the thresholds are obstacles, too. Outside the map all is free.
         \throws ompl::Exception that names the file, and the key or the line: if it or the image cannot be read or is
