@@ -16,7 +16,7 @@ namespace ompl_certificates
 
     namespace
     {
-        const std::string MAP = "image: map.png\nresolution: 0.5\norigin: [-1, 2, 0]\n";
+        const std::string PNG_MAP = "image: map.png\nresolution: 0.5\norigin: [-1, 2, 0]\n";
 
         struct PngKind
         {
@@ -119,11 +119,11 @@ namespace ompl_certificates
             return opacity < 1.0 ? std::nan("") : sum / 3.0;
         }
 
-        std::string errorOf(const std::string &image)
+        std::string errorOfPng(const std::string &image)
         {
             Folder folder;
             folder.write("map.png", image);
-            const std::string file = folder.write("map.yaml", MAP);
+            const std::string file = folder.write("map.yaml", PNG_MAP);
             const std::string message = messageOf([&] { loadOccupancyMap(file); });
             EXPECT_EQ(message.rfind(file + ":1: image: ", 0), 0U) << message;
             return message;
@@ -155,8 +155,9 @@ namespace ompl_certificates
                     number = random.chance(0.3) ? most - 1 : static_cast<unsigned int>(random.below(most));
                 Folder folder;
                 folder.write("map.png", pngOf(kind, width, height, numbers));
-                const auto map = loadOccupancyMap(
-                    folder.write("map.yaml", MAP + (scale ? "mode: scale\n" : "mode: trinary\n")), unknownIsOccupied);
+                const auto map =
+                    loadOccupancyMap(folder.write("map.yaml", PNG_MAP + (scale ? "mode: scale\n" : "mode: trinary\n")),
+                                     unknownIsOccupied);
                 for (unsigned int y = 0; y < height; ++y)
                     for (unsigned int x = 0; x < width; ++x)
                     {
@@ -175,8 +176,8 @@ namespace ompl_certificates
         const PngKind gray;
         const std::string image = pngOf(gray, 3, 2, {0, 255, 255, 255, 0, 255});
         for (std::size_t length = 0; length + 12 < image.size(); ++length)
-            EXPECT_NE(errorOf(image.substr(0, length)).find("/map.png: it"), std::string::npos) << length;
-        EXPECT_NE(errorOf(image.substr(0, 50)).find("it ends before its last pixel"), std::string::npos);
+            EXPECT_NE(errorOfPng(image.substr(0, length)).find("/map.png: it"), std::string::npos) << length;
+        EXPECT_NE(errorOfPng(image.substr(0, 50)).find("it ends before its last pixel"), std::string::npos);
         for (std::size_t at = 0; at + 12 < image.size(); ++at)
         {
             std::string damaged = image;
@@ -184,7 +185,7 @@ namespace ompl_certificates
             Folder folder;
             folder.write("map.png", damaged);
             // Most are found; what is not of the pixels may be passed over. None ends the program.
-            messageOf([&] { loadOccupancyMap(folder.write("map.yaml", MAP)); });
+            messageOf([&] { loadOccupancyMap(folder.write("map.yaml", PNG_MAP)); });
         }
     }
 
@@ -192,7 +193,7 @@ namespace ompl_certificates
     {
         const PngKind colored{PNG_COLOR_TYPE_RGB_ALPHA, 16};
         const std::string wide = pngOf({PNG_COLOR_TYPE_GRAY, 1}, 40000, 1, std::vector<unsigned int>(40000, 1));
-        EXPECT_NE(errorOf(wide).find("it has 40000 x 1 pixels, more than 32768 along an edge"), std::string::npos);
+        EXPECT_NE(errorOfPng(wide).find("it has 40000 x 1 pixels, more than 32768 along an edge"), std::string::npos);
         // The header's checksum is right, and says 32768 x 32768, of which nothing follows.
         std::string large;
         for (const PngKind &kind : {colored, PngKind{PNG_COLOR_TYPE_GRAY, 8}})
@@ -204,10 +205,10 @@ namespace ompl_certificates
             const auto sum = crc32(0, reinterpret_cast<const Bytef *>(large.data()) + 12, 17);
             for (std::size_t i = 0; i < 4; ++i)
                 large[check + i] = static_cast<char>(sum >> (24U - 8U * i));
-            EXPECT_NE(errorOf(large).find(kind.bits == 16 ? "its pixels take 8589934592 bytes, more than 2147483648"
-                                                          : "it ends before its last pixel"),
+            EXPECT_NE(errorOfPng(large).find(kind.bits == 16 ? "its pixels take 8589934592 bytes, more than 2147483648"
+                                                             : "it ends before its last pixel"),
                       std::string::npos)
-                << errorOf(large);
+                << errorOfPng(large);
         }
     }
 }
