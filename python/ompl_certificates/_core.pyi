@@ -337,6 +337,7 @@ class Robot:
     def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: Whole = 1, seed: Whole = 1) -> NDArray[np.float64]:
         """Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are
         found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
+    def reach(self, goal: LinkPose, state: ArrayLike) -> Optional[NDArray[np.float64]]: ...
     def goal_distance(self, goal: Union[AnyOf, LinkPose, Zone], state: ArrayLike) -> float:
         """How far a state is from a LinkPose, a Zone or an AnyOf; 0 if it is in it. For a LinkPose lengths beyond the
         position's tolerances and radians beyond the rotation's are added."""

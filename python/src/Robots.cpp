@@ -152,6 +152,20 @@ namespace ompl_certificates_python
             return result;
         }
 
+        /** The state of a goal that the robot reaches from \e state on, or None */
+        py::object reach(const std::shared_ptr<Robot> &robot, const py::object &object,
+                         const std::vector<double> &state)
+        {
+            const auto goal = std::dynamic_pointer_cast<const LinkPoseGoal>(toRobotGoal(robot, object));
+            if (!goal)
+                throw ompl::Exception("goal", "must be a LinkPose: of others, take sample_goal()");
+            auto reached = toState(*robot, state);
+            if (!goal->reach(reached.get()))
+                return py::none();
+            const std::vector<double> row = reached.reals();
+            return Doubles(static_cast<py::ssize_t>(row.size()), row.data());
+        }
+
         double goalDistance(const std::shared_ptr<Robot> &robot, const py::object &object,
                             const std::vector<double> &state)
         {
@@ -204,6 +218,9 @@ namespace ompl_certificates_python
                 "sample_goal", &sampleGoal, py::arg("goal"), py::arg("count") = 1, py::arg("seed") = 1,
                 "Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are "
                 "found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter.")
+            .def("reach", &reach, py::arg("goal"), py::arg("state"),
+                 "The state of a LinkPose that an arm reaches from a state on by small changes of its joints, of shape "
+                 "(coordinates,); None if the search got stuck. Bounds are kept, collisions do not matter.")
             .def(
                 "goal_distance", &goalDistance, py::arg("goal"), py::arg("state"),
                 "How far a state is from a LinkPose, a Zone or an AnyOf; 0 if it is in it. For a LinkPose lengths beyond the "

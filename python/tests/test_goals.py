@@ -240,6 +240,23 @@ def test_states_of_a_goal_are_the_inverse_kinematics() -> None:
     assert goal.link == "tool_center"
 
 
+def test_a_tool_moves_along_a_line() -> None:
+    arm = make_arm("arm", [0.1, 0, 0])
+    state = arm.sample_goal(oc.LinkPose("tool_center", [0.4, 0.2, 0.5], DOWN, position_tolerance=1e-5), seed=3)[0]
+    for height in np.linspace(0.5, 0.4, 21):
+        goal = oc.LinkPose("tool_center", [0.4, 0.2, height], DOWN, position_tolerance=1e-5, rotation_tolerance=1e-4)
+        reached = arm.reach(goal, state)
+        assert reached is not None and reached.shape == (6,) and arm.goal_distance(goal, reached) == 0
+        assert np.abs(reached - state).max() < 0.1
+        assert np.abs(arm.link_pose(reached, "tool_center")[:3, 3] - [0.4, 0.2, height]).max() <= 1e-5
+        state = reached
+    assert arm.reach(oc.LinkPose("tool_center", [4, 0, 0]), state) is None
+    with pytest.raises(oc.Error, match="^goal: must be a LinkPose: of others, take sample_goal"):
+        arm.reach(oc.AnyOf([state]), state)  # type: ignore[arg-type]
+    with pytest.raises(oc.Error, match="^state: must have 6 numbers, not 5$"):
+        arm.reach(goal, state[:5])
+
+
 def test_plans_by_controls_go_to_one_state() -> None:
     scene = oc.Scene([0, 0], [10, 10])
     cart = oc.Robot.unicycle("cart", oc.Body.disc(0.2), [0, 0], [10, 10], 1, 1)

@@ -240,6 +240,13 @@ namespace ompl_certificates
         return false;
     }
 
+    bool LinkPoseGoal::reach(ob::State *state) const
+    {
+        // The goal's middle, or the search would end at its edge, where rounding decides.
+        constexpr double inner = 0.5;
+        return approach(inner * tolerance_, state);
+    }
+
     std::string LinkPoseGoal::describe() const
     {
         std::ostringstream text;

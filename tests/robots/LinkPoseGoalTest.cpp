@@ -106,6 +106,43 @@ TEST(LinkPoseGoal, FindsThePosesOfRandomStates)
     EXPECT_LE(misses, 4);
 }
 
+/** A search that began elsewhere would find another posture of the arm. */
+TEST(LinkPoseGoal, IsReachedAlongALineWithoutJumps)
+{
+    const auto arm = sevenJointArm();
+    const ob::StateSpacePtr &space = arm->getStateSpace();
+    Random random(1);
+    ob::ScopedState<> state(space), before(space);
+    int lines = 0;
+    for (int i = 0; i < 100; ++i)
+    {
+        std::vector<double> values(SEVEN.size());
+        for (double &value : values)
+            value = random.uniform(0.3, 1.5) * random.sign();
+        state = values;
+        LinkPose pose = poseOf(*arm, state.get(), "link7");
+        EXPECT_TRUE(LinkPoseGoal(arm, pose).reach(state.get()));
+        EXPECT_EQ(state.reals(), values) << "A state of the goal stays as it is.";
+        const Eigen::Vector3d step = 0.005 * random.direction(3);
+        for (int steps = 1; steps <= 20; ++steps)
+        {
+            pose.position->point += step;
+            const LinkPoseGoal goal(arm, pose);
+            before = state;
+            if (!goal.reach(state.get()))
+                break;
+            EXPECT_EQ(goal.distance(state.get()), 0.0);
+            EXPECT_TRUE(space->satisfiesBounds(state.get()));
+            EXPECT_LT(space->distance(before.get(), state.get()), 0.3) << "line " << i << ", step " << steps;
+            lines += steps == 20 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(lines, 90);
+    LinkPose far = poseOf(*arm, state.get(), "link7");
+    far.position->point.x() += 100.0;
+    EXPECT_FALSE(LinkPoseGoal(arm, far).reach(state.get()));
+}
+
 /** The others must do what a joint at its limit cannot. */
 TEST(LinkPoseGoal, FindsPosesWithJointsAtTheirLimits)
 {
