@@ -7,6 +7,7 @@
 #include "Signals.h"
 
 #include <ompl_certificates/robots/Arm.h>
+#include <ompl_certificates/robots/LinkPoseGoal.h>
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/Coordinates.h>

@@ -133,11 +133,12 @@ TEST(LinkPoseGoal, IsReachedAlongALineWithoutJumps)
                 break;
             EXPECT_EQ(goal.distance(state.get()), 0.0);
             EXPECT_TRUE(space->satisfiesBounds(state.get()));
-            EXPECT_LT(space->distance(before.get(), state.get()), 0.3) << "line " << i << ", step " << steps;
+            EXPECT_LT(space->distance(before.get(), state.get()), 0.5) << "line " << i << ", step " << steps;
             lines += steps == 20 ? 1 : 0;
         }
     }
-    EXPECT_GE(lines, 90);
+    // Others leave the reach of the posture.
+    EXPECT_GE(lines, 70);
     LinkPose far = poseOf(*arm, state.get(), "link7");
     far.position->point.x() += 100.0;
     EXPECT_FALSE(LinkPoseGoal(arm, far).reach(state.get()));
