@@ -337,7 +337,9 @@ class Robot:
     def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: Whole = 1, seed: Whole = 1) -> NDArray[np.float64]:
         """Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are
         found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
-    def reach(self, goal: LinkPose, state: ArrayLike) -> Optional[NDArray[np.float64]]: ...
+    def reach(self, goal: LinkPose, state: ArrayLike) -> Optional[NDArray[np.float64]]:
+        """The state of a LinkPose that an arm reaches from a state on by small changes of its joints, of shape
+        (coordinates,); None if the search got stuck. Bounds are kept, collisions do not matter."""
     def goal_distance(self, goal: Union[AnyOf, LinkPose, Zone], state: ArrayLike) -> float:
         """How far a state is from a LinkPose, a Zone or an AnyOf; 0 if it is in it. For a LinkPose lengths beyond the
         position's tolerances and radians beyond the rotation's are added."""
@@ -369,8 +371,8 @@ class Scene:
         (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from origin on, by default 0; first is the index of
         occupied[0, 0], by default 0."""
     def add_occupancy_map_file(self, file: Path, unknown_occupied: bool = False) -> int:
-        """Add the occupied cells of a map of ROS's map_server, from its .yaml file and the .pgm image that this names,
-        and return its number. For planar scenes. Unknown cells are free, or occupied; beyond the map all is free."""
+        """Add the occupied cells of a map of ROS's map_server, from its .yaml file and the image that this names, and
+        return its number. For planar scenes. Unknown cells are free, or occupied; beyond the map all is free."""
     def add_octomap_file(
         self,
         file: Path,
