@@ -5,10 +5,11 @@
 
 #include <Eigen/Core>
 #include <ompl/base/ProjectionEvaluator.h>
+#include <vector>
 
 namespace ompl_certificates
 {
-    /** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has
+    /** \brief A fixed linear map from the positions of all robots, their traced bodies, to as many coordinates as the workspace has
         dimensions. Its rows are orthonormal, so a planner that looks at projections sees every robot's motion. */
     class TeamProjection : public ompl::base::ProjectionEvaluator
     {
@@ -27,6 +28,9 @@ namespace ompl_certificates
     private:
         const TeamStateSpace *team_;
         Eigen::MatrixXd map_;
+
+        /** \brief Of each robot, the point of its traced body that is its position */
+        std::vector<Eigen::Vector3d> points_;
         std::size_t mostBodies_{0};
         bool awaited_;
     };
