@@ -115,8 +115,9 @@ namespace ompl_certificates
                 state.attached.clear();
                 state.notes.clear();
             }
-            for (const auto &[joint, value] : start.joints)
-                state.joints[joint] = value;
+            MoveItJoints joints = start.joints;
+            joints.merge(state.joints);
+            state.joints.swap(joints);
             if (start.base)
                 state.base = start.base;
             for (const AttachedBody &body : start.attached)
@@ -157,8 +158,20 @@ namespace ompl_certificates
             return std::filesystem::path(file).parent_path().string();
         }
 
+        /** Complain about a message of a service or an action, of which the one that is wanted is a part. The rest, such
+            as a difference to the scene, would be passed over. */
+        void requireNoPart(const YamlNode &root, const std::vector<const char *> &keys)
+        {
+            for (const char *key : keys)
+                if (root.isMap() && root.has(key) && root.at(key).isMap())
+                    root.at(key).fail(
+                        "is what is wanted, but it is a part of a larger message: write it alone to a file");
+        }
+
         void allowMessageKeys(const YamlNode &root, const YamlNode &wish)
         {
+            requireNoPart(root, {"scene"});
+            requireNoPart(wish, {"request", "motion_plan_request"});
             root.allow({"name", "robot_state", "robot_model_name", "fixed_frame_transforms", "allowed_collision_matrix",
                         "link_padding", "link_scale", "object_colors", "world", "is_diff"});
             wish.allow({"workspace_parameters", "start_state", "goal_constraints", "path_constraints",
@@ -173,7 +186,8 @@ namespace ompl_certificates
         {
             ArmFile::ArmSettings settings;
             settings.base = state.base.value_or(Pose::Identity());
-            settings.jointValues = state.joints;
+            for (const auto &[joint, number] : state.joints)
+                settings.jointValues[joint] = number.value;
             settings.attached = state.attached;
             settings.bounds = readWorkspace(wish);
             return settings;
@@ -231,8 +245,13 @@ namespace ompl_certificates
             std::vector<std::string> notes;
             MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder, notes);
 
+            bool isToldByStart = false;
             if (wish.has("start_state"))
-                merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
+            {
+                const auto start = readMoveItRobotState(wish.at("start_state"), robot, folderOf(request));
+                isToldByStart = !start.joints.empty() || !root.has("robot_state");
+                merge(start, state);
+            }
             for (const auto &[object, about] : state.notes)
                 notes.insert(notes.end(), about.begin(), about.end());
             const YamlNode groupNode = wish.at("group_name");
@@ -258,9 +277,11 @@ namespace ompl_certificates
                 });
             Scene::Member member;
             member.robot = arm;
-            member.start =
-                moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, *arm, state.joints);
-            readMoveItGoal(wish.at("goal_constraints"), robot, goalFrames, member, notes);
+            const YamlNode told = isToldByStart             ? wish.at("start_state")
+                                  : root.has("robot_state") ? root.at("robot_state")
+                                                            : wish;
+            member.start = moveItCoordinates(told, *arm, state.joints);
+            readMoveItGoal(wish.at("goal_constraints"), robot, goalFrames, state, member, notes);
 
             const std::string name = moveItText(root, "name"), model = moveItText(root, "robot_model_name");
             SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
@@ -308,8 +329,11 @@ namespace ompl_certificates
             return false;
         const YamlNode root = parseYaml(readWholeFile(file), file);
         const auto has = [&](const char *key) { return root.has(key); };
+        const auto isScene = [](const YamlNode &node)
+        { return node.isMap() && (node.has("world") || node.has("robot_state") || node.has("robot_model_name")); };
+        // One that is a part of another message is refused by who reads it.
         return root.isMap() && !has("environment") && !has("robots") &&
-               (has("world") || has("robot_state") || has("robot_model_name"));
+               (isScene(root) || (has("scene") && isScene(root.at("scene"))));
     }
 
     SceneFile readMoveItFiles(const std::string &scene, const std::string &request, const ArmFile &robot)

@@ -68,23 +68,6 @@ namespace ompl_certificates
                     frames[frame] = frames.at(child) * pose;
             }
         }
-
-        /** The value of a joint in a state, of one that follows another by that one's */
-        double valueIn(const MoveItRobotState &state, const KinematicTree &tree, const KinematicTree::Joint &joint)
-        {
-            if (joint.mimic)
-                return joint.mimic->offset +
-                       joint.mimic->multiplier *
-                           valueIn(state, tree, tree.getLinks()[tree.getChildOf(joint.mimic->joint)].joint);
-            const auto told = state.joints.find(joint.name);
-            return told != state.joints.end() ? told->second : moveItValueUntold(joint);
-        }
-    }
-
-    double moveItValueUntold(const KinematicTree::Joint &joint)
-    {
-        return isLimited(joint.type) && (joint.lower > 0.0 || joint.upper < 0.0) ? 0.5 * (joint.lower + joint.upper)
-                                                                                 : 0.0;
     }
 
     MoveItFrames readMoveItFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state,
@@ -100,7 +83,8 @@ namespace ompl_certificates
             if (const auto parent = frames.find(tree.getLinks()[link.parent].name);
                 parent != frames.end() && coordinatesOf(joint.type) <= 1 &&
                 std::find(moving.begin(), moving.end(), mover) == moving.end())
-                frames.emplace(link.name, parent->second * joint.origin * movedBy(joint, valueIn(state, tree, joint)));
+                frames.emplace(link.name,
+                               parent->second * joint.origin * movedBy(joint, moveItValue(state, tree, joint)));
         }
         addFixedFrames(moveItItems(root, "fixed_frame_transforms"), robot, frames);
         return frames;

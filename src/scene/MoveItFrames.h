@@ -21,9 +21,6 @@ namespace ompl_certificates
 
     /** \brief The pose of the frame that the header of \e node names */
     const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames);
-
-    /** \brief The value of a joint that nobody tells: for MoveIt 0, or the middle of limits that 0 is not within */
-    double moveItValueUntold(const KinematicTree::Joint &joint);
 }
 
 #endif

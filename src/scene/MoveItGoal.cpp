@@ -44,7 +44,7 @@ namespace ompl_certificates
 
         /** The value of a joint of the group */
         double coordinateOf(const YamlNode &node, const KinematicTree &tree, const std::string &name,
-                            const std::map<std::string, double> &values)
+                            const MoveItJoints &values)
         {
             const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
             if (coordinatesOf(joint.type) > 1)
@@ -52,18 +52,18 @@ namespace ompl_certificates
             const auto found = values.find(name);
             if (found == values.end())
                 node.fail("has no position of joint '" + name + "'");
-            return checkedJointValue(node, joint, withinLimits(joint, found->second));
+            const auto &[value, place] = found->second;
+            return checkedJointValue(place, joint, withinLimits(joint, value));
         }
 
         /** Complain if a constraint on a joint that follows one of the group is not where that puts it. MoveIt writes
             one for each joint. */
-        void checkFollower(const YamlNode &item, const KinematicTree::Mimic &mimic,
-                           const std::map<std::string, double> &values)
+        void checkFollower(const YamlNode &item, const KinematicTree::Mimic &mimic, const MoveItJoints &values)
         {
             const auto followed = values.find(mimic.joint);
             if (followed == values.end())
                 item.at("joint_name").fail("follows joint '" + mimic.joint + "', which has no constraint");
-            const double value = mimic.multiplier * followed->second + mimic.offset;
+            const double value = mimic.multiplier * followed->second.value + mimic.offset;
             if (!(std::abs(item.at("position").number() - value) <= FILE_ROUNDING))
                 item.at("position")
                     .fail("must be " + std::to_string(value) + ", where the joint follows joint '" + mimic.joint +
@@ -78,20 +78,30 @@ namespace ompl_certificates
                     item.at(key).fail("must not be negative, but is " + item.at(key).describe());
         }
 
-        /** Whether a constraint asks of a joint whose limits are equal that it be there, as it always is */
-        bool isHeldThere(const KinematicTree &tree, const std::string &name, const YamlNode &item)
+        /** Complain if a constraint on a joint that the group does not move asks for another value than it has. MoveIt
+            writes one for each joint of its group, also for those that are passive or whose limits are equal. */
+        void checkHeld(const YamlNode &item, const std::string &name, const ArmFile &robot, const Arm &arm,
+                       const MoveItRobotState &start)
         {
+            const KinematicTree &tree = arm.getTree();
+            const std::string no = "'" + name + "' is not a joint of the group";
             if (!tree.hasJoint(name))
-                return false;
+                item.at("joint_name").fail(no + didYouMean(name, arm.getGroup()));
             const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
-            return hasEqualLimits(joint) && std::abs(item.at("position").number() - joint.lower) <= FILE_ROUNDING;
+            const std::string why = robot.isPassive(name) ? no + ": the SRDF file says that it is passive" : no;
+            if (coordinatesOf(joint.type) != 1)
+                item.at("joint_name").fail(why);
+            const double value = hasEqualLimits(joint) ? joint.lower : moveItValue(start, tree, joint);
+            if (!(std::abs(item.at("position").number() - value) <= FILE_ROUNDING))
+                item.at("joint_name").fail(why + "; it stays at " + std::to_string(value));
         }
 
-        std::map<std::string, double> readJoints(const YamlNode &goal, const ArmFile &robot, const Arm &arm)
+        MoveItJoints readJoints(const YamlNode &goal, const ArmFile &robot, const Arm &arm,
+                                const MoveItRobotState &start)
         {
             const KinematicTree &tree = arm.getTree();
             const std::vector<std::string> &group = arm.getGroup();
-            std::map<std::string, double> values;
+            MoveItJoints values;
             std::vector<std::pair<YamlNode, KinematicTree::Mimic>> followers;
             const auto isMoved = [&](const std::string &name)
             { return std::find(group.begin(), group.end(), name) != group.end(); };
@@ -107,15 +117,10 @@ namespace ompl_certificates
                     followers.emplace_back(item, *mimic);
                     continue;
                 }
-                if (isHeldThere(tree, name, item))
-                    continue;
+                const YamlNode position = item.at("position");
                 if (!isMoved(name))
-                    item.at("joint_name")
-                        .fail("'" + name + "' is not a joint of the group" +
-                              (robot.isPassive(name) ? ": the SRDF file says that it is passive"
-                               : tree.hasJoint(name) ? ""
-                                                     : didYouMean(name, group)));
-                if (!values.emplace(name, item.at("position").number()).second)
+                    checkHeld(item, name, robot, arm, start);
+                else if (!values.emplace(name, MoveItNumber{position.number(), position}).second)
                     item.at("joint_name").fail("'" + name + "' is given twice");
             }
             for (const auto &[item, mimic] : followers)
@@ -221,8 +226,7 @@ namespace ompl_certificates
         }
     }
 
-    std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,
-                                          const std::map<std::string, double> &values)
+    std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm, const MoveItJoints &values)
     {
         std::vector<double> coordinates;
         for (const std::string &joint : arm.getGroup())
@@ -230,8 +234,8 @@ namespace ompl_certificates
         return coordinates;
     }
 
-    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member,
-                        std::vector<std::string> &notes)
+    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames,
+                        const MoveItRobotState &start, Scene::Member &member, std::vector<std::string> &notes)
     {
         const auto arm = std::static_pointer_cast<const Arm>(member.robot);
         std::vector<std::vector<double>> states;
@@ -241,7 +245,7 @@ namespace ompl_certificates
             if (RobotGoalPtr pose = readLinkPose(goal, arm, frames, notes))
                 goals.push_back(std::move(pose));
             else
-                states.push_back(moveItCoordinates(goal, *arm, readJoints(goal, robot, *arm)));
+                states.push_back(moveItCoordinates(goal, *arm, readJoints(goal, robot, *arm, start)));
         (items.size() > 1 ? node : items.front())
             .orFail(
                 [&]

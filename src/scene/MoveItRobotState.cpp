@@ -3,6 +3,7 @@
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
 #include "YamlShapes.h"
+#include "robots/JointTypes.h"
 
 #include <cmath>
 #include <set>
@@ -51,10 +52,13 @@ namespace ompl_certificates
         {
             node.allow({"header", "name", "position", "velocity", "effort"});
             const auto names = moveItItems(node, "name");
-            const auto positions =
-                node.has("position") ? node.at("position").numbers(names.size()) : std::vector<double>();
-            if (positions.size() != names.size())
-                node.at("position");
+            std::vector<double> values;
+            std::vector<YamlNode> positions;
+            if (!names.empty() || node.has("position"))
+            {
+                values = node.at("position").numbers(names.size());
+                positions = moveItItems(node, "position");
+            }
             std::set<std::string> seen;
             for (std::size_t i = 0; i < names.size(); ++i)
             {
@@ -65,7 +69,7 @@ namespace ompl_certificates
                 // MoveIt's messages may list fixed joints, too.
                 const KinematicTree::JointType type = tree.getLinks()[child].joint.type;
                 if (type != KinematicTree::JointType::FIXED)
-                    state.joints[name] = positions[i];
+                    state.joints.emplace(name, MoveItNumber{values[i], positions[i]});
             }
         }
 
@@ -137,6 +141,22 @@ namespace ompl_certificates
         for (const YamlNode &item : moveItItems(node, "attached_collision_objects"))
             state.attached.push_back(readAttached(item, tree, folder, state.notes));
         return state;
+    }
+
+    double moveItValueUntold(const KinematicTree::Joint &joint)
+    {
+        return isLimited(joint.type) && (joint.lower > 0.0 || joint.upper < 0.0) ? 0.5 * (joint.lower + joint.upper)
+                                                                                 : 0.0;
+    }
+
+    double moveItValue(const MoveItRobotState &state, const KinematicTree &tree, const KinematicTree::Joint &joint)
+    {
+        if (joint.mimic)
+            return joint.mimic->offset +
+                   joint.mimic->multiplier *
+                       moveItValue(state, tree, tree.getLinks()[tree.getChildOf(joint.mimic->joint)].joint);
+        const auto told = state.joints.find(joint.name);
+        return told != state.joints.end() ? told->second.value : moveItValueUntold(joint);
     }
 
     std::map<std::string, double> readMoveItPadding(const YamlNode &root, const KinematicTree &tree)

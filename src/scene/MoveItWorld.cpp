@@ -52,7 +52,7 @@ namespace ompl_certificates
         node.allow({"collision_objects", "octomap"});
         if (node.has("octomap"))
         {
-            octomapNode_ = node.at("octomap");
+            octomapNode_.emplace(node.at("octomap"));
             octomap_ = readMoveItOctomap(*octomapNode_, frames);
         }
         std::set<std::string> names;

@@ -168,6 +168,20 @@ namespace ompl_certificates
             }
         }
 
+        /** Note that a base is planned for as if it could move in all directions. */
+        void noteMotionModel(const XmlFile &file, SrdfModel &model)
+        {
+            for (const Node node : file.getRoot().children("joint_property"))
+            {
+                const std::string kind = node.attribute("value").value();
+                if (model.virtualJoint && model.virtualJoint->type == JointType::PLANAR &&
+                    node.attribute("joint_name").value() == model.virtualJoint->name &&
+                    std::string(node.attribute("property_name").value()) == "motion_model" && kind != "holonomic")
+                    model.notes.push_back("virtual joint '" + model.virtualJoint->name + "': its motion model " + kind +
+                                          " is ignored: it moves in any direction");
+            }
+        }
+
         /** The joints of all groups but the passive ones */
         void readGroups(const XmlFile &file, const KinematicTree &tree, Groups &all, SrdfModel &model)
         {
@@ -175,10 +189,13 @@ namespace ompl_certificates
                 if (const auto joint = all.joint(node))
                     model.passive.insert(*joint);
             const auto &virtualJoint = model.virtualJoint;
-            Names held;
+            Names held, passive;
             for (const auto &[group, node] : all.getNodes())
             {
                 const Names names = all.jointsOf(group);
+                for (const std::string &joint : model.passive)
+                    if (names.count(joint) > 0 && passive.insert(joint).second)
+                        model.ignore("joint '" + joint + "' is passive: no group moves it");
                 const auto isMoved = [&](const std::string &joint)
                 { return names.count(joint) > 0 && model.passive.count(joint) == 0; };
                 std::vector<std::string> &joints = model.groups[group];
@@ -257,6 +274,7 @@ namespace ompl_certificates
         if (const std::string name = xml.getRoot().attribute("name").value(); name != robot)
             notes.insert(notes.begin(), file + ": describes robot '" + name + "', not '" + robot + "'");
         readVirtualJoint(xml, tree, *this);
+        noteMotionModel(xml, *this);
         Groups all(xml, tree, *this);
         readGroups(xml, tree, all, *this);
         readStates(xml, tree, all, *this);

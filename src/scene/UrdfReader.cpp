@@ -206,30 +206,39 @@ namespace ompl_certificates
             return type->second;
         }
 
+        /** The joint that a joint follows. None if there is no such joint, or it has no value: MoveIt passes over a
+            fixed one, too. */
+        urdf::JointConstSharedPtr followedBy(const urdf::ModelInterface &model, const urdf::Joint &joint)
+        {
+            const auto followed = joint.mimic ? model.getJoint(joint.mimic->joint_name) : urdf::JointConstSharedPtr();
+            return followed && followed->type != urdf::Joint::FIXED ? followed : urdf::JointConstSharedPtr();
+        }
+
         /** What a joint follows. Of a joint that itself follows another it is that one, as for MoveIt. A joint that
-            follows one that there is not follows none, and a note tells of it. */
+            follows one that there is not, or that is fixed, follows none, and a note tells of it. */
         std::optional<KinematicTree::Mimic> mimicOf(const urdf::ModelInterface &model, const urdf::Joint &joint,
                                                     std::vector<std::string> &notes)
         {
             if (!joint.mimic)
                 return std::nullopt;
             KinematicTree::Mimic mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+            auto followed = followedBy(model, joint);
+            if (!followed)
+            {
+                notes.push_back("joint '" + joint.name + "' mimics joint '" + mimic.joint + "', " +
+                                (model.getJoint(mimic.joint) ? "which is fixed" : "but there is none") +
+                                ": it moves by itself");
+                return std::nullopt;
+            }
             for (std::size_t steps = 0; steps <= model.joints_.size(); ++steps)
             {
-                const auto followed = model.getJoint(mimic.joint);
-                if (!followed)
-                {
-                    notes.push_back("joint '" + joint.name + "' mimics joint '" + mimic.joint +
-                                    "', but there is none: it moves by itself");
-                    return std::nullopt;
-                }
-                // So ends the way, too, where the followed one follows none that there is.
-                if (!followed->mimic || followed->type == urdf::Joint::FIXED ||
-                    !model.getJoint(followed->mimic->joint_name))
+                const auto next = followedBy(model, *followed);
+                if (!next)
                     return mimic;
                 mimic.offset += mimic.multiplier * followed->mimic->offset;
                 mimic.multiplier *= followed->mimic->multiplier;
-                mimic.joint = followed->mimic->joint_name;
+                mimic.joint = next->name;
+                followed = next;
             }
             throw ompl::Exception("follows joints that follow each other");
         }

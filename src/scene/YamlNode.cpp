@@ -96,6 +96,8 @@ namespace ompl_certificates
         if (node_.IsNull())
             return "nothing";
         const std::string value = oneLine(node_.Scalar());
+        if (value == "...")
+            return "'...': was it cut when it was printed? ros2 topic echo has --full-length";
         return node_.Tag() == "!" || value.empty() ? "'" + value + "'" : value;
     }
 

@@ -23,6 +23,13 @@ namespace ompl_certificates
         /** \brief Node \e node of \e file at the path \e key, such as robots[1].shape */
         YamlNode(const YAML::Node &node, std::string key, std::string file);
 
+        YamlNode(const YamlNode &) = default;
+
+        /** \brief Not assigned: yaml-cpp would then change the document. */
+        YamlNode &operator=(const YamlNode &) = delete;
+
+        ~YamlNode() = default;
+
         /** \brief Note what may surprise about this node, once; see getNotes() */
         void note(const std::string &remark) const;
 

@@ -24,6 +24,10 @@ namespace ompl_certificates
             const BrokenProblem all[]{
                 {"world: [", "scene.yaml:1: not valid YAML"},
                 {"name: none\n", "scene.yaml:1: world: missing"},
+                {"scene: {world: {}}\n",
+                 "scene.yaml:1: scene: is what is wanted, but it is a part of a larger message"},
+                {object("meshes: [{vertices: '...', triangles: []}], mesh_poses: [{}]"),
+                 place + ".meshes[0].vertices: must be a list, not '...': was it cut when it was printed? ros2 topic"},
                 {BALL + "wrold: 1\n", "scene.yaml:4: wrold: unknown key"},
                 {BALL + "    - {id: ball, primitives: [{type: sphere, dimensions: [1]}]}\n",
                  "scene.yaml:4: world.collision_objects[1].id: there is an object 'ball' already"},
@@ -162,8 +166,11 @@ namespace ompl_certificates
                  "request.yaml:7: goal_constraints[1].joint_constraints: must have from 1"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}]}]\n",
                  "request.yaml:3: goal_constraints[0]: has no position of joint 'bend'"},
-                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
-                 "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
+                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0.3}]}]\n",
+                 "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the group; "
+                 "it stays at 0."},
+                {"request: {group_name: arm}\n",
+                 "request.yaml:1: request: is what is wanted, but it is a part of a larger"},
                 {group + START +
                      "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0, tolerance_below: -0.1}]}]\n",
                  "request.yaml:3: goal_constraints[0].joint_constraints[0].tolerance_below: must not be negative, but is "
@@ -228,6 +235,31 @@ namespace ompl_certificates
                 SCOPED_TRACE(broken.text);
                 EXPECT_EQ(messageOf(BALL, broken.text).substr(0, broken.message.size()), broken.message);
             }
+        }
+
+        TEST_F(MoveItScene, ErrorsNameTheFileThatTellsTheValue)
+        {
+            const std::string scene = BALL + "robot_state:\n  joint_state:\n    name: [turn, bend]\n    position:\n",
+                              beyond = scene + "      - 0\n      - 0\n", turned = scene + "      - 3.5\n      - 0\n",
+                              lacking = BALL + "robot_state: {joint_state: {name: [turn], position: [0]}}\n";
+            const std::string slide = "group_name: arm\nstart_state: {joint_state: {name: [slide], position: [0.1]}}\n",
+                              none = "group_name: arm\nstart_state: {is_diff: true}\n", absent = "group_name: arm\n";
+            for (const std::string &start : {slide, none, absent})
+            {
+                EXPECT_EQ(messageOf(beyond, start + GOAL), "");
+                EXPECT_EQ(
+                    messageOf(turned, start + GOAL),
+                    "scene.yaml:8: robot_state.joint_state.position[0]: joint 'turn' must be from -3 to 3, not 3.5");
+            }
+            EXPECT_EQ(messageOf(lacking, slide + GOAL), "request.yaml:2: start_state: has no position of joint 'bend'");
+            EXPECT_EQ(messageOf(lacking, none + GOAL), "scene.yaml:4: robot_state: has no position of joint 'bend'");
+            EXPECT_EQ(messageOf(lacking, absent + GOAL), "scene.yaml:4: robot_state: has no position of joint 'bend'");
+            EXPECT_EQ(messageOf(BALL, absent + GOAL), "request.yaml:1: has no position of joint 'turn'");
+            std::string far = REQUEST;
+            far.replace(far.find("position: -1"), 12, "position: -9");
+            EXPECT_EQ(messageOf(beyond, far),
+                      "request.yaml:5: goal_constraints[0].joint_constraints[0].position: joint "
+                      "'turn' must be from -3 to 3, not -9");
         }
 
         TEST_F(MoveItScene, ErrorsTellWhatOfTheSrdfFileIsIgnored)

@@ -57,8 +57,10 @@ namespace ompl_certificates
                       about + "<mimic joint='first' multiplier='-1' offset='0.3'/>") +
                 joint("first", "revolute", "base", "c", about) +
                 joint("alone", "revolute", "base", "d", about + "<mimic joint='gone'/>") +
-                joint("after", "revolute", "d", "e", about + "<mimic joint='alone' multiplier='-2'/>"))));
-        EXPECT_EQ(file.getJoints(""), (std::vector<std::string>{"alone", "first"}));
+                joint("after", "revolute", "d", "e", about + "<mimic joint='alone' multiplier='-2'/>") + link("f") +
+                link("g") + joint("still", "fixed", "base", "f") +
+                joint("free", "revolute", "base", "g", about + "<mimic joint='still'/>"))));
+        EXPECT_EQ(file.getJoints(""), (std::vector<std::string>{"alone", "first", "free"}));
         std::vector<std::string> notes;
         const auto arm = file.makeArm("arm", "", {}, &notes);
         const auto hasNote = [&](const std::string &text)
@@ -67,10 +69,11 @@ namespace ompl_certificates
                                [&](const std::string &note) { return note.find(text) != std::string::npos; });
         };
         EXPECT_TRUE(hasNote("joint 'alone' mimics joint 'gone', but there is none: it moves by itself"));
+        EXPECT_TRUE(hasNote("joint 'free' mimics joint 'still', which is fixed: it moves by itself"));
         EXPECT_TRUE(hasNote("<xacro:sensor>: is left over from a xacro file, and ignored"));
         arm->getStateSpace()->setup();
         ompl::base::ScopedState<> state(arm->getStateSpace());
-        state = std::vector<double>{0.4, 0.2};
+        state = std::vector<double>{0.4, 0.2, 0.7};
         const auto angleOf = [&](const std::string &link)
         {
             const Eigen::Matrix3d turn = arm->getLinkPose(state.get(), link).linear();
@@ -79,6 +82,7 @@ namespace ompl_certificates
         EXPECT_NEAR(angleOf("b"), 0.1, 1e-12);
         EXPECT_NEAR(angleOf("a"), 0.3, 1e-12);
         EXPECT_NEAR(angleOf("d"), 0.4, 1e-12);
+        EXPECT_NEAR(angleOf("g"), 0.7, 1e-12);
         EXPECT_NEAR(angleOf("e"), 0.4 - 2.0 * 0.4, 1e-12);  // on top of d
     }
 

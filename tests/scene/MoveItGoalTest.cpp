@@ -152,6 +152,29 @@ namespace ompl_certificates
             }
         }
 
+        /** MoveIt writes a constraint for each joint of its group. */
+        TEST_F(MoveItScene, GoalsMayTellOfJointsThatStayWhereTheyAre)
+        {
+            std::string srdf = TWO_LINKS_SRDF;
+            srdf.replace(srdf.find("<group"), 0, "<passive_joint name=\"bend\"/>");
+            robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", TWO_LINKS_URDF),
+                                                     folder_.write("passive.srdf", srdf));
+            const auto request = [](const std::string &joint, const std::string &position)
+            {
+                return "group_name: arm\n" + START +
+                       "goal_constraints: [{joint_constraints: [{joint_name: turn, position: -1}, {joint_name: " +
+                       joint + ", position: " + position + "}]}]\n";
+            };
+            EXPECT_EQ(read(BALL, request("bend", "0.5")).scene.getMembers().front().goal, std::vector<double>{-1.0});
+            EXPECT_EQ(read(BALL, request("slide", "0.1")).scene.getMembers().front().goal, std::vector<double>{-1.0});
+            EXPECT_NE(
+                messageOf(BALL, request("bend", "4")).find("the SRDF file says that it is passive; it stays at 0.5"),
+                std::string::npos)
+                << messageOf(BALL, request("bend", "4"));
+            EXPECT_NE(messageOf(BALL, request("mount", "0")).find("'mount' is not a joint of the group"),
+                      std::string::npos);
+        }
+
         TEST_F(MoveItScene, GoalsMayTellOfJointsThatFollow)
         {
             std::string urdf = TWO_LINKS_URDF;

@@ -288,6 +288,9 @@ namespace ompl_certificates
             EXPECT_FALSE(isScene("environment: {}\nrobots: []\n"));
             EXPECT_FALSE(isScene("world: {}\nenvironment: {}\n"));
             EXPECT_FALSE(isScene(REQUEST));
+            // The answer of a service: reading it tells what is wrong.
+            EXPECT_TRUE(isScene("scene: {world: {}}\n"));
+            EXPECT_FALSE(isScene("scene: office\n"));
             EXPECT_FALSE(isScene("[world]"));
             EXPECT_THROW(isScene("world: ["), ompl::Exception);
             EXPECT_THROW(isScene(""), ompl::Exception);

@@ -194,7 +194,31 @@ namespace ompl_certificates
         file.makeArm("arm", "all", {}, &notes);
         ASSERT_FALSE(notes.empty());
         EXPECT_NE(notes.front().find("'other' is ignored"), std::string::npos) << notes.front();
+        EXPECT_EQ(std::count(notes.begin(), notes.end(), "joint 'second' is passive: no group moves it"), 1);
         EXPECT_EQ(std::count(notes.begin(), notes.end(), "joint 'third' does not move: both limits are 1.000000"), 1);
+    }
+
+    TEST(SrdfFile, MotionModelsOfBasesAreNoted)
+    {
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        const auto countNotes = [&](const std::string &type, const std::string &property)
+        {
+            const ArmFile file(urdf, folder.write("a.srdf", robot("<virtual_joint name='base' type='" + type +
+                                                                  "' parent_frame='floor' child_link='base'/>"
+                                                                  "<group name='all'><joint name='first'/></group>"
+                                                                  "<joint_property joint_name='base' " +
+                                                                  property + "/>")));
+            std::vector<std::string> notes;
+            file.makeArm("arm", "all", {}, &notes);
+            return std::count(
+                notes.begin(), notes.end(),
+                "virtual joint 'base': its motion model diff_drive is ignored: it moves in any direction");
+        };
+        EXPECT_EQ(countNotes("planar", "property_name='motion_model' value='diff_drive'"), 1);
+        EXPECT_EQ(countNotes("planar", "property_name='motion_model' value='holonomic'"), 0);
+        EXPECT_EQ(countNotes("planar", "property_name='angular_distance_weight' value='1'"), 0);
+        EXPECT_EQ(countNotes("fixed", "property_name='motion_model' value='diff_drive'"), 0);
     }
 
     TEST(SrdfFile, CollisionsAreDisabledByDefaultAndEnabledAgain)
