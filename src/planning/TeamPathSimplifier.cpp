@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace ompl_certificates
@@ -33,22 +34,43 @@ namespace ompl_certificates
         /** A motion of a smaller part of a path's time is one of rounding. */
         constexpr double LEAST_TIME = 1e-10;
 
-        /** \e path without states that are those before them but for rounding; its ends are kept */
+        /** How many motions of robots are measured between two looks at the condition: a fraction of a millisecond */
+        constexpr std::size_t MOTIONS_BETWEEN_LOOKS = 256;
+
+        /** \e path, which is valid, without states that are those before them but for rounding; its ends are kept.
+            Where the slightly other motion is not valid, they stay. */
         og::PathGeometric withoutRepeats(const og::PathGeometric &path)
         {
             const ob::SpaceInformationPtr &si = path.getSpaceInformation();
-            const auto timeBetween = [&si](const ob::State *from, const ob::State *to)
-            { return motionTime(*si->getStateSpace(), from, to); };
             const double least = LEAST_TIME * stateTimes(path).back();
-            og::PathGeometric kept(si, path.getState(0));
-            const auto last = static_cast<unsigned int>(path.getStateCount() - 1);
-            for (unsigned int i = 1; i <= last; ++i)
-                if (timeBetween(kept.getStates().back(), path.getState(i)) > least ||
-                    (i == last && kept.getStateCount() == 1))
-                    kept.append(path.getState(i));
-                else if (i == last)
-                    si->copyState(kept.getStates().back(), path.getState(i));
-            return kept;
+            std::vector<const ob::State *> kept{path.getState(0)};
+            const std::size_t last = path.getStateCount() - 1;
+            std::size_t skipped = 0;
+            for (std::size_t i = 1; i <= last; ++i)
+            {
+                const ob::State *state = path.getState(static_cast<unsigned int>(i));
+                const bool moves = motionTime(*si->getStateSpace(), kept.back(), state) > least;
+                if (!moves && i < last)
+                {
+                    ++skipped;
+                    continue;
+                }
+                // The end takes the place of a state that it repeats.
+                const bool isInPlace = !moves && kept.size() > 1;
+                const ob::State *previous = isInPlace ? kept[kept.size() - 2] : kept.back();
+                const bool isAsBefore = moves && skipped == 0;
+                if (isAsBefore || si->checkMotion(previous, state))
+                    kept.resize(kept.size() - (isInPlace ? 1 : 0));
+                else
+                    for (std::size_t k = i - skipped; k < i; ++k)
+                        kept.push_back(path.getState(static_cast<unsigned int>(k)));
+                kept.push_back(state);
+                skipped = 0;
+            }
+            og::PathGeometric result(si);
+            for (const ob::State *state : kept)
+                result.append(state);
+            return result;
         }
 
         /** The team of a checker, which may read other spaces, too; else that of the space */
@@ -94,6 +116,8 @@ namespace ompl_certificates
             bool isBetter = false;
             for (const Pace pace : {EVEN, FAST})
             {
+                if (isOver())
+                    return isBetter;
                 std::vector<Change> changes;
                 for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
                     changes.push_back({robot, paced(pace, robot, 0.0, paths_.getDuration())});
@@ -101,7 +125,7 @@ namespace ompl_certificates
             }
             if (isBetter)
                 return true;
-            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+            for (unsigned int robot = 0; robot < team_.getRobotCount() && !isOver(); ++robot)
                 isBetter =
                     takeShortcut(robot, 0.0, paths_.getDuration()) ||
                     accept({{robot, paced(EVEN, robot, 0.0, paths_.getDuration())}}, 0.0, paths_.getDuration()) ||
@@ -296,19 +320,27 @@ namespace ompl_certificates
         bool accept(std::vector<Change> changes, double first, double last)
         {
             const double begin = paths_.knotBefore(first), end = paths_.knotAfter(last);
-            const ob::Cost old = cost(begin, end);
+            const bool isWhole = begin == 0.0 && end == paths_.getDuration();
+            const auto old = isWhole && whole_ ? whole_ : cost(begin, end);
+            if (!old)
+                return false;
             const auto exchange = [&]
             {
                 for (Change &change : changes)
                     change.knots = paths_.exchange(change.robot, std::move(change.knots));
             };
             exchange();
-            const ob::Cost changed = cost(begin, end);
-            const bool isBetter = isBetterBy(LEAST_GAIN, objective_, changed, old) ||
-                                  (!objective_.isCostBetterThan(old, changed) && areShorter(changes));
+            const auto changed = cost(begin, end);
+            const bool isBetter = changed && (isBetterBy(LEAST_GAIN, objective_, *changed, *old) ||
+                                              (!objective_.isCostBetterThan(*old, *changed) && areShorter(changes)));
             if (isBetter && isValid(begin, end))
+            {
+                whole_ = isWhole ? changed : std::nullopt;
                 return true;
+            }
             exchange();
+            if (isWhole)
+                whole_ = old;
             return false;
         }
 
@@ -328,23 +360,38 @@ namespace ompl_certificates
             return true;
         }
 
-        ob::Cost cost(double begin, double end)
+        /** Whether the time for changes is over. Once it is, it stays so. */
+        bool isOver()
+        {
+            return isOver_ = isOver_ || condition_;
+        }
+
+        /** Nothing if the time is over before the cost is known: paths of large teams have thousands of motions. */
+        std::optional<ob::Cost> cost(double begin, double end)
         {
             ob::Cost sum = objective_.identityCost();
-            visitMotions(begin, end,
-                         [&](const ob::State *from, const ob::State *to)
-                         {
-                             sum = objective_.combineCosts(sum, objective_.motionCost(from, to));
-                             return true;
-                         });
-            return sum;
+            std::size_t unseen = 0;
+            const bool isKnown = visitMotions(begin, end,
+                                              [&](const ob::State *from, const ob::State *to)
+                                              {
+                                                  unseen += team_.getRobotCount();
+                                                  if (unseen >= MOTIONS_BETWEEN_LOOKS)
+                                                  {
+                                                      unseen = 0;
+                                                      if (isOver())
+                                                          return false;
+                                                  }
+                                                  sum = objective_.combineCosts(sum, objective_.motionCost(from, to));
+                                                  return true;
+                                              });
+            return isKnown ? std::optional(sum) : std::nullopt;
         }
 
         bool isValid(double begin, double end)
         {
             return visitMotions(begin, end,
                                 [this](const ob::State *from, const ob::State *to)
-                                { return !condition_ && si_.checkMotion(from, to); });
+                                { return !isOver() && si_.checkMotion(from, to); });
         }
 
         const ob::SpaceInformation &si_;
@@ -352,6 +399,10 @@ namespace ompl_certificates
         const Team &team_;
         ompl::RNG &random_;
         const ob::PlannerTerminationCondition &condition_;
+        bool isOver_{false};
+
+        /** The cost of the whole path, if it is known: many changes are tried on it in a row. */
+        std::optional<ob::Cost> whole_;
         TimedPaths paths_;
         mutable ob::State *before_, *after_;
         std::vector<ob::StateSamplerPtr> samplers_{team_.getRobotCount()};
@@ -372,13 +423,7 @@ namespace ompl_certificates
         for (; attempts > 0 && !condition; --attempts)
             isSimpler = changing.tryOne() || isSimpler;
         if (isSimpler)
-        {
-            path = changing.getPath(si_);
-            // Its motions are slightly others.
-            if (og::PathGeometric clean = withoutRepeats(path);
-                clean.getStateCount() < path.getStateCount() && clean.check())
-                path = clean;
-        }
+            path = withoutRepeats(changing.getPath(si_));
         return isSimpler;
     }
 

@@ -207,6 +207,66 @@ TEST_F(TeamPathSimplifierTest, LeavesPathsAloneThatItCannotShorten)
     EXPECT_THROW(TeamPathSimplifier(noTeam, objectiveOf(*setup, "length")), ompl::Exception);
 }
 
+namespace
+{
+    /** The length of paths, and how many motions were measured */
+    class CountingLength : public TeamPathLength
+    {
+    public:
+        using TeamPathLength::TeamPathLength;
+
+        ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+        {
+            ++count;
+            return TeamPathLength::motionCost(from, to);
+        }
+
+        mutable std::size_t count{0};
+    };
+}
+
+/** With a pace of its own each robot has corners at times of its own, so the team's path has thousands of motions. */
+TEST_F(TeamPathSimplifierTest, EndsWithItsConditionHoweverManyRobotsThereAre)
+{
+    constexpr unsigned int robots = 20, states = 20;
+    const auto team = std::make_shared<TeamStateSpace>();
+    for (unsigned int i = 0; i < robots; ++i)
+    {
+        ob::RealVectorBounds lane(2);
+        lane.setLow(0, 0.0);
+        lane.setHigh(0, 30.0);
+        lane.setLow(1, i);
+        lane.setHigh(1, i + 0.4);
+        team->addRobot(RigidRobot::inR2("robot" + std::to_string(i), Body::disc(0.1), lane));
+    }
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 2));
+    setup.getSpaceInformation()->setup();
+    og::PathGeometric path(setup.getSpaceInformation());
+    const auto sampler = team->allocStateSampler();
+    ob::ScopedState<> state(team);
+    for (unsigned int i = 0; i < states; ++i)
+    {
+        sampler->sampleUniform(state.get());
+        path.append(state.get());
+    }
+    const auto objective = std::make_shared<CountingLength>(setup.getSpaceInformation());
+    TeamPathSimplifier simplifier(setup.getSpaceInformation(), objective);
+    og::PathGeometric same = path;
+    EXPECT_FALSE(simplifier.simplify(same, 100, ob::plannerAlwaysTerminatingCondition()));
+    EXPECT_EQ(objective->count, 0U);
+    EXPECT_EQ(same.getStateCount(), path.getStateCount());
+    // Wherever it comes in between, few motions are measured after it, and the path is a valid one.
+    for (const std::size_t most : {1U, 10U, 300U, 1000U, 3000U})
+    {
+        og::PathGeometric changed = path;
+        objective->count = 0;
+        simplifier.simplify(changed, 100, ob::PlannerTerminationCondition([&] { return objective->count >= most; }));
+        EXPECT_LE(objective->count, most + 256 / robots + 1);
+        EXPECT_TRUE(changed.check());
+        EXPECT_LE(changed.cost(objective).value(), path.cost(objective).value());
+    }
+}
+
 TEST_F(TeamPathSimplifierTest, IsPartOfATeamSetupsSimplifier)
 {
     for (const std::string &name : objectiveNames())
