@@ -3,10 +3,12 @@
 #include "Gil.h"
 #include "Mappings.h"
 #include "Numbers.h"
+#include "Octomaps.h"
 
 #include <ompl_certificates/team/RobotFilter.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <ompl/util/Exception.h>
 #include <optional>
@@ -75,6 +77,13 @@ namespace ompl_certificates_python
             return fromPoints(points, checker.getDimension());
         }
 
+        /** What a sensor saw: in the plane points with heights are taken as seen from above. */
+        struct SeenPoints
+        {
+            PointCloud cloud;
+            Doubles array;
+        };
+
         /** Which points are part of the team; those that are not finite are not */
         std::vector<bool> findRobotsOf(const Checker &checker, const PointCloud &cloud, const py::object &values,
                                        double padding)
@@ -84,35 +93,43 @@ namespace ompl_certificates_python
             return findRobots(cloud, Team(checker.getSetup().getStateSpace()), state.get(), padding);
         }
 
-        PointCloud cloudOf(const Checker &checker, const py::object &array)
+        SeenPoints seenPoints(const Checker &checker, const py::object &object)
         {
-            const Doubles points = toDoubles(array, "points");
-            const unsigned int dimension = checker.getDimension();
-            const bool isEmptyList = points.ndim() == 1 && points.size() == 0;
-            if (!isEmptyList && (points.ndim() != 2 || points.shape(1) != static_cast<py::ssize_t>(dimension)))
-                throw ompl::Exception("points", "must have the shape (n, " + std::to_string(dimension) + "), not " +
-                                                    shapeOf(points));
-            PointCloud cloud;
-            cloud.points = toPoints3(points, "points", dimension == 2);
-            return cloud;
+            SeenPoints seen{{}, toDoubles(object, "points")};
+            const bool isPlanar = checker.getDimension() == 2;
+            const bool isEmptyList = seen.array.ndim() == 1 && seen.array.size() == 0;
+            if (isEmptyList)
+                return seen;
+            if (seen.array.ndim() != 2 || (seen.array.shape(1) != 3 && !(isPlanar && seen.array.shape(1) == 2)))
+                throw ompl::Exception("points", std::string("must have the shape (n, 3)") +
+                                                    (isPlanar ? " or (n, 2)" : "") + ", not " + shapeOf(seen.array));
+            seen.cloud.points = toPoints3(seen.array, "points", isPlanar);
+            if (isPlanar)
+                for (Eigen::Vector3d &point : seen.cloud.points)
+                    point.z() = std::isfinite(point.z()) ? 0.0 : point.z();
+            return seen;
         }
 
         Doubles pointsWithoutRobots(const Checker &checker, const py::object &array, const py::object &values,
                                     double padding)
         {
-            PointCloud cloud = finite(cloudOf(checker, array));
-            const std::vector<bool> are = findRobotsOf(checker, cloud, values, padding);
-            std::size_t i = 0;
-            cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(),
-                                              [&](const Eigen::Vector3d & /*point*/) { return are[i++]; }),
-                               cloud.points.end());
-            return fromPoints(cloud.points, checker.getDimension());
+            const SeenPoints seen = seenPoints(checker, array);
+            const std::vector<bool> are = findRobotsOf(checker, seen.cloud, values, padding);
+            const py::ssize_t columns = seen.array.ndim() == 2 ? seen.array.shape(1) : checker.getDimension();
+            std::vector<double> kept;
+            for (std::size_t i = 0; i < are.size(); ++i)
+                if (const double *row = seen.array.data() + static_cast<py::ssize_t>(i) * columns;
+                    !are[i] && std::all_of(row, row + columns, [](double number) { return std::isfinite(number); }))
+                    kept.insert(kept.end(), row, row + columns);
+            Doubles result({static_cast<py::ssize_t>(kept.size()) / columns, columns});
+            std::copy(kept.begin(), kept.end(), result.mutable_data());
+            return result;
         }
 
         py::array_t<bool> robotMask(const Checker &checker, const py::object &array, const py::object &values,
                                     double padding)
         {
-            const std::vector<bool> are = findRobotsOf(checker, cloudOf(checker, array), values, padding);
+            const std::vector<bool> are = findRobotsOf(checker, seenPoints(checker, array).cloud, values, padding);
             py::array_t<bool> mask(static_cast<py::ssize_t>(are.size()));
             std::copy(are.begin(), are.end(), mask.mutable_data());
             return mask;
@@ -133,14 +150,23 @@ namespace ompl_certificates_python
                      "raises an Error, nothing has changed. Points have the cloud's radius, and the shapes of "
                      "add_cloud: in a planar scene those of shape (n, 3) that no robot reaches do not count, in insert "
                      "and in remove.")
+                .def(
+                    "remove_cloud",
+                    [](Checker &self, Number cloud)
+                    {
+                        const GilRelease release;
+                        self.removeCloud(cloud);
+                    },
+                    py::arg("cloud"), "Remove a cloud. No other one gets its number.")
                 .def("cloud_points", &cloudPoints, py::arg("cloud"),
                      "The points of a cloud now, of shape (n, dimension), in no order")
-                .def("without_robots", &pointsWithoutRobots, py::arg("points"), py::arg("state"), py::kw_only(),
-                     py::arg("padding") = 0.0,
-                     "Those of the points, of shape (n, dimension), that are no part of the team where it was when a "
-                     "sensor saw them. Leaves out points inside a robot's body or nearer to it than padding: the "
-                     "radius of the cloud, and the errors of the sensor and of the state. Also rows that are not "
-                     "finite, where a sensor saw nothing.")
+                .def(
+                    "without_robots", &pointsWithoutRobots, py::arg("points"), py::arg("state"), py::kw_only(),
+                    py::arg("padding") = 0.0,
+                    "Those of the points, of the shapes of add_cloud, that are no part of the team where it was when a "
+                    "sensor saw them. In a planar scene points are looked at as seen from above. Leaves out points inside a robot's body or nearer to it than padding: the "
+                    "radius of the cloud, and the errors of the sensor and of the state. Also rows that are not "
+                    "finite, where a sensor saw nothing.")
                 .def("find_robots", &robotMask, py::arg("points"), py::arg("state"), py::kw_only(),
                      py::arg("padding") = 0.0,
                      "Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask "
@@ -220,6 +246,50 @@ namespace ompl_certificates_python
             checker.changeGrid(grid, cells, others);
         }
 
+        std::size_t addOctomap(Checker &checker, const py::object &data, double resolution, bool binary,
+                               const std::string &id, unsigned int depth, bool unknownOccupied,
+                               const std::optional<std::pair<double, double>> &heights,
+                               const std::vector<double> &origin)
+        {
+            const auto map = makeOctomap(checker.getDimension(), toOctomapMessage(data, resolution, binary, id),
+                                         {depth, unknownOccupied, heights, origin});
+            const GilRelease release;
+            return checker.addMap(map);
+        }
+
+        void changeOctomap(Checker &checker, Number grid, const py::object &data, double resolution, bool binary,
+                           const std::string &id, bool unknownOccupied,
+                           const std::optional<std::pair<double, double>> &heights, const std::vector<double> &origin)
+        {
+            constexpr unsigned int all = 16;
+            const auto map = makeOctomap(checker.getDimension(), toOctomapMessage(data, resolution, binary, id),
+                                         {all, unknownOccupied, heights, origin});
+            const GilRelease release;
+            checker.replaceGrid(grid, *map);
+        }
+
+        /** The index of each cell in some boxes */
+        py::array_t<std::int64_t> gridCells(const Checker &checker, Number grid)
+        {
+            const unsigned int dimension = checker.getDimension();
+            std::vector<std::int64_t> indices;
+            {
+                const GilRelease release;
+                for (const CellBox &box : checker.getCells(grid))
+                    for (std::int32_t x = box.low[0]; x < box.high[0]; ++x)
+                        for (std::int32_t y = box.low[1]; y < box.high[1]; ++y)
+                            if (dimension == 2)
+                                indices.insert(indices.end(), {x, y});
+                            else
+                                for (std::int32_t z = box.low[2]; z < box.high[2]; ++z)
+                                    indices.insert(indices.end(), {x, y, z});
+            }
+            py::array_t<std::int64_t> result(
+                {static_cast<py::ssize_t>(indices.size() / dimension), static_cast<py::ssize_t>(dimension)});
+            std::copy(indices.begin(), indices.end(), result.mutable_data());
+            return result;
+        }
+
         void bindGrids(py::class_<Checker, std::shared_ptr<Checker>> &checker)
         {
             checker
@@ -232,8 +302,33 @@ namespace ompl_certificates_python
                     "Set which cells of a grid are occupied, all at once: those that the array covers, whose first one "
                     "has the index first. Others stay. The scene's own grids and maps have the numbers that "
                     "Scene.add_grid and the like returned. Cells are those of the map itself, whatever depth it was loaded "
-                    "with. Time goes with the cells that the array covers, at the first change of a map with all of its. "
-                    "Where it raises an Error, nothing has changed.");
+                    "with. Time goes with the cells that the array covers, and with the blocks of 16 cells a side of the "
+                    "whole map; at the first change of a map with all of its cells. Where it raises an Error, nothing "
+                    "has changed.")
+                .def("add_octomap", &addOctomap, py::arg("data"), py::arg("resolution"), py::arg("binary") = true,
+                     py::arg("id") = "OcTree", py::kw_only(), py::arg("depth") = 16,
+                     py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
+                     py::arg("origin") = std::vector<double>(),
+                     "Add the occupied cells of an octomap, as Scene.add_octomap does, and return its number.")
+                .def(
+                    "change_octomap", &changeOctomap, py::arg("grid"), py::arg("data"), py::arg("resolution"),
+                    py::arg("binary") = true, py::arg("id") = "OcTree", py::kw_only(),
+                    py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
+                    py::arg("origin") = std::vector<double>(),
+                    "Let a map have the cells of another octomap alone, all at once: the next message of the same map. "
+                    "Certificates stay where both are alike. The resolution must be the map's, and so must the origin. "
+                    "Time goes with all cells of the map. Where it raises an Error, nothing has changed.")
+                .def(
+                    "remove_grid",
+                    [](Checker &self, Number grid)
+                    {
+                        const GilRelease release;
+                        self.removeGrid(grid);
+                    },
+                    py::arg("grid"), "Remove a grid or a map. No other one gets its number.")
+                .def("grid_cells", &gridCells, py::arg("grid"),
+                     "The occupied cells of a grid or a map now: their indices, of shape (n, dimension), in no order. "
+                     "Cell (i, j) of a map begins at (i, j) times its resolution, from its origin on.");
         }
     }
 

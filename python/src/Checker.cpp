@@ -174,6 +174,32 @@ namespace ompl_certificates_python
         return result;
     }
 
+    std::vector<std::int64_t> Checker::findBlocked(const Doubles &path) const
+    {
+        const std::size_t rows = countRows(path, "path");
+        const double *values = path.data();
+        std::vector<std::int64_t> blocked;
+        const GilRelease release;
+        const auto held = setup_->getTeamChecker()->holdObstacles();
+        const ob::SpaceInformation &si = *setup_->getSpaceInformation();
+        Row first(*this), second(*this);
+        Row *previous = &first, *next = &second;
+        bool wasFree = true;
+        Signals signals;
+        for (std::size_t i = 0; i < rows; ++i, signals.handle())
+        {
+            const ob::State *state = next->read(values + i * rotations_.count);
+            const bool isFree = state && next->isFinite() && si.isValid(state);
+            const bool isMotionFree =
+                i == 0 ? isFree || rows > 1 : wasFree && isFree && si.checkMotion(previous->get().get(), state);
+            if (!isMotionFree)
+                blocked.push_back(static_cast<std::int64_t>(i == 0 ? 0 : i - 1));
+            wasFree = isFree;
+            std::swap(previous, next);
+        }
+        return blocked;
+    }
+
     py::array_t<double> Checker::distance(const Doubles &starts, const Doubles &ends) const
     {
         const std::size_t froms = countRows(starts, "starts"), tos = countRows(ends, "ends"),
@@ -333,7 +359,7 @@ namespace ompl_certificates_python
     std::size_t Checker::addCloud(CloudPoints points, double radius)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        const std::size_t cloud = world_.getSensedCount();
+        const std::size_t cloud = world_.getNextSensed();
         tell(world_.addCloud(std::move(points), radius));
         return cloud;
     }
@@ -342,6 +368,12 @@ namespace ompl_certificates_python
     {
         const std::lock_guard<std::mutex> lock(changing_);
         tell(world_.changeCloud(cloud, std::move(change)));
+    }
+
+    void Checker::removeCloud(std::size_t cloud)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        tell(world_.removeCloud(cloud));
     }
 
     std::vector<Eigen::Vector3d> Checker::getCloudPoints(std::size_t cloud) const
@@ -353,7 +385,7 @@ namespace ompl_certificates_python
     std::size_t Checker::addGrid(const std::vector<CellBox> &occupied, double size, const Eigen::Vector3d &origin)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        const std::size_t grid = world_.getSensedCount();
+        const std::size_t grid = world_.getNextSensed();
         tell(world_.addGrid(occupied, size, origin));
         return grid;
     }
@@ -362,6 +394,32 @@ namespace ompl_certificates_python
     {
         const std::lock_guard<std::mutex> lock(changing_);
         tell(world_.changeGrid(grid, occupied, free));
+    }
+
+    std::size_t Checker::addMap(std::shared_ptr<const CellObstacles> map)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        const std::size_t grid = world_.getNextSensed();
+        tell(world_.addMap(std::move(map)));
+        return grid;
+    }
+
+    void Checker::replaceGrid(std::size_t grid, const CellObstacles &map)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        tell(world_.replaceGrid(grid, map));
+    }
+
+    void Checker::removeGrid(std::size_t grid)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        tell(world_.removeGrid(grid));
+    }
+
+    std::vector<CellBox> Checker::getCells(std::size_t grid) const
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        return world_.getGrid(grid).getBoxes();
     }
 
     std::shared_ptr<const Checker> Checker::beginPlanning() const

@@ -58,6 +58,11 @@ namespace ompl_certificates_python
             \throws ompl::Exception as above, and for another fraction */
         Doubles interpolate(const Doubles &starts, const Doubles &ends, const Doubles &fractions) const;
 
+        /** \brief Which motions of a path are blocked, or begin or end in a state that is: i is that from row i to row i
+            + 1. Of a single state, 0. All are checked among the same obstacles, also while others change them.
+            \throws ompl::Exception as isValid() does */
+        std::vector<std::int64_t> findBlocked(const Doubles &path) const;
+
         /** \brief What collides in a state, in one line that names the obstacle; empty if it is valid */
         std::string describeCollision(const Doubles &state) const;
 
@@ -76,6 +81,9 @@ namespace ompl_certificates_python
         /** \brief Change the points of a cloud. */
         void changeCloud(std::size_t cloud, CloudChange change);
 
+        /** \brief Remove a cloud. */
+        void removeCloud(std::size_t cloud);
+
         /** \brief The points of a cloud, in no order */
         std::vector<Eigen::Vector3d> getCloudPoints(std::size_t cloud) const;
 
@@ -86,6 +94,18 @@ namespace ompl_certificates_python
         /** \brief Change cells of a grid. */
         void changeGrid(std::size_t grid, const std::vector<ompl_certificates::CellBox> &occupied,
                         const std::vector<ompl_certificates::CellBox> &free);
+
+        /** \brief Add a map of cells, and return its number. */
+        std::size_t addMap(std::shared_ptr<const ompl_certificates::CellObstacles> map);
+
+        /** \brief Let a grid have the cells of a map alone. */
+        void replaceGrid(std::size_t grid, const ompl_certificates::CellObstacles &map);
+
+        /** \brief Remove a grid. */
+        void removeGrid(std::size_t grid);
+
+        /** \brief The occupied cells of a grid, in boxes */
+        std::vector<ompl_certificates::CellBox> getCells(std::size_t grid) const;
 
         /** \brief A state of the team, from its numbers
             \throws ompl::Exception that names \e what as isValid() does, and if a number is not finite */

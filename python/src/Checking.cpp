@@ -91,6 +91,17 @@ namespace ompl_certificates_python
                     py::arg("starts"), py::arg("ends"),
                     "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
                     "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
+                .def(
+                    "find_blocked",
+                    [](const Checker &self, const py::object &path)
+                    {
+                        const auto blocked = self.findBlocked(toDoubles(path, "path"));
+                        return py::array_t<std::int64_t>(static_cast<py::ssize_t>(blocked.size()), blocked.data());
+                    },
+                    py::arg("path"),
+                    "Which motions of a path, with a state in each row, are blocked, or begin or end in a state that is: "
+                    "numbers i of motions from row i to row i + 1, of shape (n,), none if the path is free. Of a path of "
+                    "one state, 0. All of it is checked among the same obstacles, also while other threads change them.")
                 .def("distance", &distanceOf, py::arg("starts"), py::arg("ends"),
                      "How far each end is from its start, in the team's own distance, for planners of your own: what "
                      "plan() counts as length, whatever is in between. For arrays of shape (n, coordinates) an array "

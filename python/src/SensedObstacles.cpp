@@ -2,23 +2,18 @@
 
 #include "Arrays.h"
 #include "Gil.h"
+#include "Octomaps.h"
 #include "World.h"
 
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
-#include <ompl_certificates/octomap/OctomapMessage.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/OccupancyMapFile.h>
 
-#include <cmath>
 #include <ompl/util/Exception.h>
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-
-#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-#include <ompl_certificates/octomap/OctomapObstacles.h>
-#endif
 
 namespace ompl_certificates_python
 {
@@ -26,18 +21,24 @@ namespace ompl_certificates_python
 
     namespace
     {
-        /** Add obstacles that are no bodies, and return their number. They are made while other Python threads run. */
+        /** Add obstacles that are no bodies, and return their number. */
+        std::size_t addSensed(Scene &scene, const ObstaclesPtr &obstacles, const std::string &kind)
+        {
+            const std::size_t number = scene.getSensedObstacles().size();
+            scene.addSensedObstacles(obstacles, kind + "[" + std::to_string(number) + "]");
+            return number;
+        }
+
+        /** The same of obstacles that are made while other Python threads run */
         template <typename Make>
-        std::size_t addSensed(Scene &scene, const Make &make, const std::string &kind)
+        std::size_t makeSensed(Scene &scene, const Make &make, const std::string &kind)
         {
             ObstaclesPtr obstacles;
             {
                 const GilRelease release;
                 obstacles = make();
             }
-            const std::size_t number = scene.getSensedObstacles().size();
-            scene.addSensedObstacles(obstacles, kind + "[" + std::to_string(number) + "]");
-            return number;
+            return addSensed(scene, obstacles, kind);
         }
 
         std::size_t addCloud(Scene &scene, PointCloud cloud, double cell, bool haveHeights = true)
@@ -46,7 +47,7 @@ namespace ompl_certificates_python
                 throw ompl::Exception("cell", "must not be negative, not " + std::to_string(cell));
             const ZInterval heights = scene.getZInterval();
             const unsigned int dimension = scene.getDimension();
-            return addSensed(
+            return makeSensed(
                 scene,
                 [&]() -> ObstaclesPtr
                 {
@@ -65,42 +66,19 @@ namespace ompl_certificates_python
             const unsigned int dimension = scene.getDimension();
             const auto cells = toCells(occupied, first, dimension);
             const Eigen::Vector3d corner = toOrigin(origin, dimension);
-            return addSensed(
+            return makeSensed(
                 scene, [&] { return std::make_shared<CellObstacles>(size, cells, dimension, corner); }, "grids");
         }
 
         std::size_t addOccupancyMapFile(Scene &scene, const std::filesystem::path &file, bool unknownOccupied)
         {
-            return addSensed(
+            return makeSensed(
                 scene, [&] { return loadOccupancyMap(file.string(), unknownOccupied); }, "maps");
         }
 
-        /** Which cells of an octomap count: depth, unknown_occupied, heights and origin */
-        using MapOptions =
-            std::tuple<unsigned int, bool, std::optional<std::pair<double, double>>, std::vector<double>>;
-
-        /** \param source a file or a message */
-        template <typename Source>
-        std::size_t addOctomap([[maybe_unused]] Scene &scene, [[maybe_unused]] const Source &source,
-                               [[maybe_unused]] const MapOptions &given)
+        std::size_t addOctomap(Scene &scene, const MapSource &source, const MapOptions &options)
         {
-#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-            const auto &[depth, unknownOccupied, heights, origin] = given;
-            OctomapOptions options;
-            options.depth = depth;
-            options.unknownIsOccupied = unknownOccupied;
-            // In the plane its z shifts the heights.
-            options.origin = toOrigin(origin, 3);
-            if ((scene.getDimension() == 2) != heights.has_value())
-                throw ompl::Exception("heights", heights ? "are for planar scenes alone"
-                                                         : "a planar scene needs those of the slice, (low, high)");
-            if (heights)
-                options.slice = ZInterval{heights->first, heights->second};
-            return addSensed(
-                scene, [&] { return std::make_shared<OctomapObstacles>(source, options); }, "octomaps");
-#else
-            throw ompl::Exception("octomap", "this module was built without octomap");
-#endif
+            return addSensed(scene, makeOctomap(scene.getDimension(), source, options), "octomaps");
         }
 
         std::size_t addOctomapFile(Scene &scene, const std::filesystem::path &file, unsigned int depth,
@@ -110,30 +88,13 @@ namespace ompl_certificates_python
             return addOctomap(scene, file.string(), {depth, unknownOccupied, heights, origin});
         }
 
-        /** Bytes, from what Python has for those of a message: bytes, an array, a list of numbers */
-        std::string toBytes(const py::object &object, const std::string &what)
-        {
-            if (py::isinstance<py::bytes>(object))
-                return object.cast<std::string>();
-            const std::vector<double> numbers = toNumbers(object, what);
-            std::string bytes;
-            bytes.reserve(numbers.size());
-            for (const double number : numbers)
-            {
-                if (!(number >= -128.0 && number <= 255.0 && number == std::floor(number)))
-                    throw ompl::Exception(what, "must be bytes, from -128 to 255, not " + std::to_string(number));
-                bytes.push_back(static_cast<char>(static_cast<int>(number)));
-            }
-            return bytes;
-        }
-
         std::size_t addOctomapMessage(Scene &scene, const py::object &data, double resolution, bool binary,
                                       const std::string &id, unsigned int depth, bool unknownOccupied,
                                       const std::optional<std::pair<double, double>> &heights,
                                       const std::vector<double> &origin)
         {
-            const OctomapMessage message{binary, id, resolution, toBytes(data, "data")};
-            return addOctomap(scene, message, {depth, unknownOccupied, heights, origin});
+            return addOctomap(scene, toOctomapMessage(data, resolution, binary, id),
+                              {depth, unknownOccupied, heights, origin});
         }
     }
 

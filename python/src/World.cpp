@@ -1,7 +1,6 @@
 #include "World.h"
 
 #include <ompl_certificates/geometry/PointCloud.h>
-#include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 
 #include <ompl/util/Exception.h>
@@ -26,15 +25,20 @@ namespace ompl_certificates_python
                 throw ompl::Exception(where, exception.what());
             }
         }
+
+        void requireFinite(const std::vector<Eigen::Vector3d> &points, const std::string &what)
+        {
+            for (const Eigen::Vector3d &point : points)
+                if (!point.allFinite())
+                    throw ompl::Exception(what, "must be finite");
+        }
     }
 
     std::vector<Eigen::Vector3d> inPlane(CloudPoints points, double radius, const ZInterval &heights,
                                          const std::string &what)
     {
         // A height that is no number would be outside all heights, and the point would vanish.
-        for (const Eigen::Vector3d &point : points.points)
-            if (!point.allFinite())
-                throw ompl::Exception(what, "must be finite");
+        requireFinite(points.points, what);
         if (!points.haveHeights)
             return std::move(points.points);
         return sliced({std::move(points.points), radius}, heights).points;
@@ -47,19 +51,20 @@ namespace ompl_certificates_python
             titles_[bodies_.add(scene.getObstacles()[i])] = scene.getObstacleTitles()[i];
         bodiesNow_ = bodies_.takeChange().after;
         for (std::size_t i = 0; i < scene.getSensedObstacles().size(); ++i)
-            sensed_.push_back({scene.getSensedObstacles()[i], scene.getSensedTitles()[i]});
+            sensed_[nextSensed_++] = {scene.getSensedObstacles()[i], scene.getSensedTitles()[i]};
     }
 
     ObstaclesPtr World::getObstacles() const
     {
-        // Who adds a cloud for each scan and clears the last one should not pay for all that there were.
+        // Who clears a cloud or a map should not pay for it.
         const auto isEmpty = [](const Sensed &sensed)
         {
             const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.obstacles.get());
-            return cloud && cloud->size() == 0;
+            const auto *grid = dynamic_cast<const CellObstacles *>(sensed.obstacles.get());
+            return (cloud && cloud->size() == 0) || (grid && grid->size() == 0);
         };
         std::vector<ObstaclesPtr> all;
-        for (const Sensed &sensed : sensed_)
+        for (const auto &[number, sensed] : sensed_)
             if (!isEmpty(sensed))
                 all.push_back(sensed.obstacles);
         if (bodies_.size() > 0 || all.empty())
@@ -73,7 +78,7 @@ namespace ompl_certificates_python
         auto body = bodies.begin();
         for (const auto &[number, title] : titles_)
             scene.addObstacle(*body++, title);
-        for (const Sensed &sensed : sensed_)
+        for (const auto &[number, sensed] : sensed_)
             scene.addSensedObstacles(sensed.obstacles, sensed.title);
     }
 
@@ -109,25 +114,53 @@ namespace ompl_certificates_python
         PointCloudSet set(radius, dimension_);
         set.insert(placed(std::move(points), radius, "points"));
         ObstacleChange change = set.takeChange();
-        sensed_.push_back({change.after, "added cloud " + std::to_string(sensed_.size()), radius, std::move(set)});
+        add({change.after, "", radius, std::move(set)}, "added cloud ");
         return ofWorld(std::move(change));
     }
 
     ObstacleChange World::changeCloud(std::size_t cloud, CloudChange change)
     {
-        PointCloudSet set = takeSet(cloud);
-        const double radius = *sensed_[cloud].radius;
-        const std::vector<Eigen::Vector3d> removed = placed(std::move(change.removed), radius, "remove");
-        orFail("cloud " + std::to_string(cloud) + ": remove", [&] { set.remove(removed); });
-        if (!change.cleared.isEmpty())
-            set.removeWithin(change.cleared);
-        std::vector<Eigen::Vector3d> inserted = placed(std::move(change.inserted), radius, "insert");
-        orFail("cloud " + std::to_string(cloud) + ": insert", [&] { set.insert(std::move(inserted)); });
+        PointCloudSet &set = setOf(cloud);
+        Sensed &sensed = sensed_.at(cloud);
+        const std::string where = "cloud " + std::to_string(cloud);
+        const std::vector<Eigen::Vector3d> removed = placed(std::move(change.removed), *sensed.radius, "remove");
+        std::vector<Eigen::Vector3d> inserted = placed(std::move(change.inserted), *sensed.radius, "insert");
+        // What is refused up to here leaves the set as it is: to make it anew takes as long as hundreds of changes.
+        orFail(where + ": remove", [&] { set.remove(removed); });
+        try
+        {
+            if (!change.cleared.isEmpty())
+                set.removeWithin(change.cleared);
+            orFail(where + ": insert", [&] { set.insert(std::move(inserted)); });
+        }
+        catch (...)
+        {
+            sensed.set.reset();
+            throw;
+        }
         ObstacleChange result = set.takeChange();
-        Sensed &sensed = sensed_[cloud];
         sensed.obstacles = result.after;
-        sensed.set = std::move(set);
         return ofWorld(std::move(result));
+    }
+
+    ObstacleChange World::removeCloud(std::size_t cloud)
+    {
+        getCloud(cloud);
+        return remove(cloud);
+    }
+
+    void World::add(Sensed sensed, const std::string &title)
+    {
+        sensed.title = title + std::to_string(nextSensed_);
+        sensed_[nextSensed_++] = std::move(sensed);
+    }
+
+    ObstacleChange World::remove(std::size_t number)
+    {
+        ObstacleChange change;
+        change.removed = sensed_.at(number).obstacles;
+        sensed_.erase(number);
+        return ofWorld(std::move(change));
     }
 
     ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size, const Eigen::Vector3d &origin)
@@ -135,20 +168,67 @@ namespace ompl_certificates_python
         CellSet cells(size, dimension_, origin);
         orFail("occupied", [&] { cells.insert(occupied); });
         ObstacleChange change = cells.takeChange();
-        sensed_.push_back({change.after, "added grid " + std::to_string(sensed_.size()), {}, {}, std::move(cells)});
+        add({change.after, "", {}, {}, std::move(cells)}, "added grid ");
+        return ofWorld(std::move(change));
+    }
+
+    ObstacleChange World::addMap(std::shared_ptr<const CellObstacles> map)
+    {
+        ObstacleChange change;
+        change.added = map;
+        add({std::move(map), ""}, "added map ");
         return ofWorld(std::move(change));
     }
 
     ObstacleChange World::changeGrid(std::size_t grid, const std::vector<CellBox> &occupied,
                                      const std::vector<CellBox> &free)
     {
-        CellSet cells = takeCells(grid);
-        cells.remove(free);
-        orFail("grid " + std::to_string(grid) + ": occupied", [&] { cells.insert(occupied); });
+        return editGrid(grid,
+                        [&](CellSet &cells)
+                        {
+                            cells.remove(free);
+                            orFail("grid " + std::to_string(grid) + ": occupied", [&] { cells.insert(occupied); });
+                        });
+    }
+
+    ObstacleChange World::replaceGrid(std::size_t grid, const CellObstacles &map)
+    {
+        const CellObstacles &now = getGrid(grid);
+        if (map.getCellSize() != now.getCellSize() || map.getOrigin() != now.getOrigin())
+            throw ompl::Exception("grid " + std::to_string(grid),
+                                  "has another origin, or cells of another size: " + std::to_string(now.getCellSize()) +
+                                      ", not " + std::to_string(map.getCellSize()));
+        return editGrid(grid,
+                        [&](CellSet &cells)
+                        {
+                            constexpr std::int32_t far = CellBox::FARTHEST;
+                            cells.remove({CellBox{{-far, -far, dimension_ == 2 ? 0 : -far},
+                                                  {far, far, dimension_ == 2 ? 1 : far}}});
+                            orFail("grid " + std::to_string(grid), [&] { cells.insert(map.getBoxes()); });
+                        });
+    }
+
+    ObstacleChange World::removeGrid(std::size_t grid)
+    {
+        getGrid(grid);
+        return remove(grid);
+    }
+
+    ObstacleChange World::editGrid(std::size_t grid, const std::function<void(CellSet &)> &edit)
+    {
+        CellSet &cells = cellsOf(grid);
+        Sensed &sensed = sensed_.at(grid);
+        try
+        {
+            edit(cells);
+        }
+        catch (...)
+        {
+            sensed.cells.reset();
+            throw;
+        }
         ObstacleChange result = cells.takeChange();
-        Sensed &sensed = sensed_[grid];
         sensed.obstacles = result.after;
-        sensed.cells = std::move(cells);
         return ofWorld(std::move(result));
     }
 
@@ -162,63 +242,66 @@ namespace ompl_certificates_python
 
     const PointCloudObstacles &World::getCloud(std::size_t cloud) const
     {
-        if (cloud >= sensed_.size())
+        if (sensed_.count(cloud) == 0)
             throw ompl::Exception("cloud", "there is none of number " + std::to_string(cloud));
-        const auto *points = dynamic_cast<const PointCloudObstacles *>(sensed_[cloud].obstacles.get());
+        const auto *points = dynamic_cast<const PointCloudObstacles *>(sensed_.at(cloud).obstacles.get());
         if (!points)
             throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " is a map of cells, not of points");
         return *points;
     }
 
-    CellSet World::takeCells(std::size_t grid)
+    const CellObstacles &World::getGrid(std::size_t grid) const
     {
-        if (grid >= sensed_.size())
+        if (sensed_.count(grid) == 0)
             throw ompl::Exception("grid", "there is none of number " + std::to_string(grid));
-        if (sensed_[grid].cells)
-        {
-            // If a change throws, no set is left, and the next change makes one of the cells that are there.
-            CellSet set = std::move(*sensed_[grid].cells);
-            sensed_[grid].cells.reset();
-            return set;
-        }
-        const auto *cells = dynamic_cast<const CellObstacles *>(sensed_[grid].obstacles.get());
+        const auto *cells = dynamic_cast<const CellObstacles *>(sensed_.at(grid).obstacles.get());
         if (!cells)
             throw ompl::Exception("grid", "number " + std::to_string(grid) + " is a cloud of points, not of cells");
-        CellSet set(cells->getCellSize(), dimension_, cells->getOrigin());
-        orFail("grid " + std::to_string(grid), [&] { set.insert(cells->getBoxes()); });
-        set.takeChange();
-        return set;
+        return *cells;
+    }
+
+    CellSet &World::cellsOf(std::size_t grid)
+    {
+        const CellObstacles &now = getGrid(grid);
+        std::optional<CellSet> &cells = sensed_.at(grid).cells;
+        if (!cells)
+        {
+            CellSet set(now.getCellSize(), dimension_, now.getOrigin());
+            orFail("grid " + std::to_string(grid), [&] { set.insert(now.getBoxes()); });
+            set.takeChange();
+            cells = std::move(set);
+        }
+        return *cells;
     }
 
     std::vector<Eigen::Vector3d> World::placed(CloudPoints points, double radius, const std::string &what) const
     {
-        return dimension_ == 2 ? inPlane(std::move(points), radius, heights_, what) : std::move(points.points);
+        if (dimension_ == 2)
+            return inPlane(std::move(points), radius, heights_, what);
+        requireFinite(points.points, what);
+        return std::move(points.points);
     }
 
-    PointCloudSet World::takeSet(std::size_t cloud)
+    PointCloudSet &World::setOf(std::size_t cloud)
     {
-        if (cloud < sensed_.size() && sensed_[cloud].set)
-        {
-            // If a change throws, no set is left, and the next change makes one of the points that are there.
-            PointCloudSet set = std::move(*sensed_[cloud].set);
-            sensed_[cloud].set.reset();
-            return set;
-        }
         const PointCloudObstacles &now = getCloud(cloud);
-        std::optional<double> &radius = sensed_[cloud].radius;
+        Sensed &sensed = sensed_.at(cloud);
+        if (sensed.set)
+            return *sensed.set;
         // A cloud that has seen nothing yet has a radius all the same.
-        if (!radius)
-            radius = now.getLargestRadius();
+        if (!sensed.radius)
+            sensed.radius = now.getLargestRadius();
         std::vector<Eigen::Vector3d> points;
         for (const Ball &ball : now.getBalls())
         {
-            if (ball.radius != *radius)
+            if (ball.radius != *sensed.radius)
                 throw ompl::Exception("cloud", "the points of number " + std::to_string(cloud) + " differ in radius");
             points.push_back(ball.center);
         }
-        PointCloudSet set(*radius, dimension_);
+        PointCloudSet set(*sensed.radius, dimension_);
         set.insert(std::move(points));
         set.takeChange();
-        return set;
+        sensed.set = std::move(set);
+        return *sensed.set;
     }
 }

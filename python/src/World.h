@@ -1,13 +1,16 @@
 #ifndef OMPL_CERTIFICATES_PYTHON_WORLD_
 #define OMPL_CERTIFICATES_PYTHON_WORLD_
 
+#include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/CellSet.h>
 #include <ompl_certificates/obstacles/ObstacleSet.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudSet.h>
 #include <ompl_certificates/scene/Scene.h>
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,9 +76,9 @@ namespace ompl_certificates_python
                                                        std::vector<ompl_certificates::ObstacleSet::Id> &numbers);
 
         /** \brief The number that the next cloud or grid gets */
-        std::size_t getSensedCount() const
+        std::size_t getNextSensed() const
         {
-            return sensed_.size();
+            return nextSensed_;
         }
 
         /** \brief Add a cloud, whose points all have one \e radius. In a planar scene those count that inPlane() keeps,
@@ -89,6 +92,10 @@ namespace ompl_certificates_python
             Then nothing has changed. */
         ompl_certificates::ObstacleChange changeCloud(std::size_t cloud, CloudChange change);
 
+        /** \brief Remove a cloud. No other one gets its number.
+            \throws ompl::Exception as changeCloud() does */
+        ompl_certificates::ObstacleChange removeCloud(std::size_t cloud);
+
         /** \brief The points of a cloud, in no order
             \throws ompl::Exception as changeCloud() does */
         std::vector<Eigen::Vector3d> getPoints(std::size_t cloud) const;
@@ -99,6 +106,9 @@ namespace ompl_certificates_python
         ompl_certificates::ObstacleChange addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size,
                                                   const Eigen::Vector3d &origin);
 
+        /** \brief Add a map of cells, which are not looked at. */
+        ompl_certificates::ObstacleChange addMap(std::shared_ptr<const ompl_certificates::CellObstacles> map);
+
         /** \brief Change cells of a grid. Cost: that of CellSet; the first change of a grid of the scene, in proportion
             to all of its cells.
             \throws ompl::Exception if there is none of this number, if it is a cloud, and as CellSet does. Then
@@ -106,6 +116,19 @@ namespace ompl_certificates_python
         ompl_certificates::ObstacleChange changeGrid(std::size_t grid,
                                                      const std::vector<ompl_certificates::CellBox> &occupied,
                                                      const std::vector<ompl_certificates::CellBox> &free);
+
+        /** \brief Let a grid have the cells of \e map alone. What is in both stays. Cost: that of CellSet for all cells
+            \throws ompl::Exception as changeGrid() does, and if \e map has another cell size or origin. Then nothing has
+            changed. */
+        ompl_certificates::ObstacleChange replaceGrid(std::size_t grid, const ompl_certificates::CellObstacles &map);
+
+        /** \brief Remove a grid. No other one gets its number.
+            \throws ompl::Exception as changeGrid() does */
+        ompl_certificates::ObstacleChange removeGrid(std::size_t grid);
+
+        /** \brief The occupied cells of a grid
+            \throws ompl::Exception as changeGrid() does */
+        const ompl_certificates::CellObstacles &getGrid(std::size_t grid) const;
 
     private:
         /** \brief A grid or a cloud, and the set that makes it; of the cloud its radius once it is known */
@@ -122,10 +145,21 @@ namespace ompl_certificates_python
         const ompl_certificates::PointCloudObstacles &getCloud(std::size_t cloud) const;
 
         /** \brief The set of a cloud, which is made for its first change */
-        ompl_certificates::PointCloudSet takeSet(std::size_t cloud);
+        ompl_certificates::PointCloudSet &setOf(std::size_t cloud);
 
         /** \brief The set of a grid, which is made for its first change */
-        ompl_certificates::CellSet takeCells(std::size_t grid);
+        ompl_certificates::CellSet &cellsOf(std::size_t grid);
+
+        /** \brief Do \e edit to the set of a grid. If that throws, the next change makes a set of the cells that are
+            there. */
+        ompl_certificates::ObstacleChange editGrid(std::size_t grid,
+                                                   const std::function<void(ompl_certificates::CellSet &)> &edit);
+
+        /** \brief Add a cloud or a grid, whose title ends with its number. */
+        void add(Sensed sensed, const std::string &title);
+
+        /** \brief Remove a cloud or a grid that is there. */
+        ompl_certificates::ObstacleChange remove(std::size_t number);
 
         /** \brief A set's change as one of all obstacles, which it is part of already */
         ompl_certificates::ObstacleChange ofWorld(ompl_certificates::ObstacleChange change) const;
@@ -139,7 +173,8 @@ namespace ompl_certificates_python
         ompl_certificates::ObstaclesPtr bodiesNow_;
         /** \brief What messages call the bodies */
         std::map<ompl_certificates::ObstacleSet::Id, std::string> titles_;
-        std::vector<Sensed> sensed_;
+        std::map<std::size_t, Sensed> sensed_;
+        std::size_t nextSensed_{0};
     };
 }
 

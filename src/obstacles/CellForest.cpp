@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace ompl_certificates
@@ -61,7 +62,16 @@ namespace ompl_certificates
                 return bounds;
             }())
     {
-        std::map<std::array<std::int32_t, 3>, std::uint32_t> blockAt;
+        // A map takes most of the time of a change where there are many blocks.
+        const auto hashOf = [](const std::array<std::int32_t, 3> &cell)
+        {
+            std::uint64_t hash = 0;
+            for (const std::int32_t index : cell)
+                hash = (hash ^ static_cast<std::uint32_t>(index)) * 0x9E3779B97F4A7C15ULL;
+            return static_cast<std::size_t>(hash ^ (hash >> 32U));
+        };
+        std::unordered_map<std::array<std::int32_t, 3>, std::uint32_t, decltype(hashOf)> blockAt(2 * blocks_.size(),
+                                                                                                 hashOf);
         std::uint32_t first = 0;
         for (std::uint32_t i = 0; i < blocks_.size(); ++i)
         {

@@ -84,10 +84,26 @@ namespace ompl_certificates
             std::vector<Slot> slots_;
         };
 
-        /** Takes out what is in both, each point as often as it is */
+        /** Whether two lists have points in common, as far as some points of the second tell. Of a frame with noise
+            none is in the one before, and a table of them all takes a large part of the change. */
+        bool mayShare(const std::vector<Eigen::Vector3d> &first, const std::vector<Eigen::Vector3d> &second)
+        {
+            constexpr std::size_t some = 256;
+            if (second.size() < 8 * some)
+                return true;
+            std::vector<Eigen::Vector3d> sample;
+            for (std::size_t i = 0; i < some; ++i)
+                sample.push_back(second[i * second.size() / some]);
+            PointCounts counts(sample);
+            return std::any_of(first.begin(), first.end(),
+                               [&counts](const Eigen::Vector3d &point) { return counts.take(point); });
+        }
+
+        /** Takes out what is in both, each point as often as it is. What few points share may stay: that costs time
+            alone. */
         void dropEqual(std::vector<Eigen::Vector3d> &first, std::vector<Eigen::Vector3d> &second)
         {
-            if (first.empty() || second.empty())
+            if (first.empty() || second.empty() || !mayShare(first, second))
                 return;
             PointCounts counts(first);
             std::vector<Eigen::Vector3d> ofFirst, ofSecond;
