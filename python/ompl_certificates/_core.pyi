@@ -473,6 +473,10 @@ class Checker:
     def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""
+    def find_blocked(self, path: ArrayLike) -> NDArray[np.int64]:
+        """Which motions of a path, with a state in each row, are blocked, or begin or end in a state that is: numbers i
+        of motions from row i to row i + 1, of shape (n,), none if the path is free. Of a path of one state, 0. All of
+        it is checked among the same obstacles, also while other threads change them."""
     def distance(self, starts: ArrayLike, ends: ArrayLike) -> Any:
         """How far each end is from its start, in the team's own distance, for planners of your own: what plan() counts
         as length, whatever is in between. For arrays of shape (n, coordinates) an array of shape (n,), for two states a
@@ -524,22 +528,58 @@ class Checker:
         returned. Time goes with the points that come and go. Where it raises an Error, nothing has changed. Points have
         the cloud's radius, and the shapes of add_cloud: in a planar scene those of shape (n, 3) that no robot reaches
         do not count, in insert and in remove."""
+    def remove_cloud(self, cloud: Whole) -> None:
+        """Remove a cloud. No other one gets its number."""
     def cloud_points(self, cloud: Whole) -> NDArray[np.float64]:
         """The points of a cloud now, of shape (n, dimension), in no order"""
     def add_grid(self, occupied: ArrayLike, size: Number, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number."""
+    def add_octomap(
+        self,
+        data: Union[bytes, ArrayLike],
+        resolution: Number,
+        binary: bool = True,
+        id: str = "OcTree",
+        *,
+        depth: Whole = 16,
+        unknown_occupied: bool = False,
+        heights: Optional[Numbers] = None,
+        origin: Numbers = (),
+    ) -> int:
+        """Add the occupied cells of an octomap, as Scene.add_octomap does, and return its number."""
+    def change_octomap(
+        self,
+        grid: Whole,
+        data: Union[bytes, ArrayLike],
+        resolution: Number,
+        binary: bool = True,
+        id: str = "OcTree",
+        *,
+        unknown_occupied: bool = False,
+        heights: Optional[Numbers] = None,
+        origin: Numbers = (),
+    ) -> None:
+        """Let a map have the cells of another octomap alone, all at once: the next message of the same map.
+        Certificates stay where both are alike. The resolution must be the map's, and so must the origin. Time goes with
+        all cells of the map. Where it raises an Error, nothing has changed."""
+    def remove_grid(self, grid: Whole) -> None:
+        """Remove a grid or a map. No other one gets its number."""
+    def grid_cells(self, grid: Whole) -> NDArray[np.int64]:
+        """The occupied cells of a grid or a map now: their indices, of shape (n, dimension), in no order. Cell (i, j)
+        of a map begins at (i, j) times its resolution, from its origin on."""
     def change_grid(self, grid: Whole, occupied: ArrayLike, first: ArrayLike = ()) -> None:
         """Set which cells of a grid are occupied, all at once: those that the array covers, whose first one has the
         index first. Others stay. The scene's own grids and maps have the numbers that Scene.add_grid and the like
         returned. Cells are those of the map itself, whatever depth it was loaded with. Time goes with the cells that
-        the array covers, at the first change of a map with all of its. Where it raises an Error, nothing has
-        changed."""
+        the array covers, and with the blocks of 16 cells a side of the whole map; at the first change of a map with all
+        of its cells. Where it raises an Error, nothing has changed."""
     def without_robots(
         self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0
     ) -> NDArray[np.float64]:
-        """Those of the points, of shape (n, dimension), that are no part of the team where it was when a sensor saw
-        them. Leaves out points inside a robot's body or nearer to it than padding: the radius of the cloud, and the
-        errors of the sensor and of the state. Also rows that are not finite, where a sensor saw nothing."""
+        """Those of the points, of the shapes of add_cloud, that are no part of the team where it was when a sensor saw
+        them. In a planar scene points are looked at as seen from above. Leaves out points inside a robot's body or
+        nearer to it than padding: the radius of the cloud, and the errors of the sensor and of the state. Also rows
+        that are not finite, where a sensor saw nothing."""
     def find_robots(self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0) -> NDArray[np.bool_]:
         """Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask for colors and
         intensities. Rows that are not finite are none."""

@@ -101,8 +101,8 @@ namespace ompl_certificates_python
             if (isEmptyList)
                 return seen;
             if (seen.array.ndim() != 2 || (seen.array.shape(1) != 3 && !(isPlanar && seen.array.shape(1) == 2)))
-                throw ompl::Exception("points", std::string("must have the shape (n, 3)") +
-                                                    (isPlanar ? " or (n, 2)" : "") + ", not " + shapeOf(seen.array));
+                throw ompl::Exception("points", std::string("must have the shape ") + (isPlanar ? "(n, 2) or " : "") +
+                                                    "(n, 3), not " + shapeOf(seen.array));
             seen.cloud.points = toPoints3(seen.array, "points", isPlanar);
             if (isPlanar)
                 for (Eigen::Vector3d &point : seen.cloud.points)

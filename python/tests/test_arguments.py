@@ -63,7 +63,7 @@ def test_empty_lists_of_points_have_no_robots(room: oc.Scene) -> None:
     assert checker.without_robots([], room.start).shape == (0, 2)
     assert checker.find_robots([], room.start).shape == (0,)
     assert checker.find_robots(np.zeros((0, 2)), room.start).shape == (0,)
-    with pytest.raises(oc.Error, match=r"^points: must have the shape \(n, 2\), not \(2,\)$"):
+    with pytest.raises(oc.Error, match=r"^points: must have the shape \(n, 2\) or \(n, 3\), not \(2,\)$"):
         checker.find_robots([1, 2], room.start)
 
 

@@ -96,6 +96,91 @@ def test_what_is_refused_changes_nothing() -> None:
     assert np.isclose(checker.clearance([[2, 3]])[0], 1 - RADIUS - 0.3)
 
 
+@pytest.mark.parametrize("method", ["standard", "basic", "shared"])
+def test_what_is_removed_is_free_and_leaves_no_number(method: str) -> None:
+    points = np.array([[2.0, 2.0], [8.0, 8.0]])
+    scene, cloud = world(2, points)
+    checker = oc.Checker(scene, method)
+    checker.set_adaptive(False)
+    seed = 31
+    states = np.random.default_rng(seed).uniform(0, 10, (3000, 2))
+    before = checker.is_valid(states)
+    scan = checker.add_cloud([[3.0, 6.0]], RADIUS)
+    grid = checker.add_grid(np.ones((2, 2), dtype=bool), 1.0, origin=(7, 2))
+    assert checker.is_valid([[3, 6], [8, 3]]).tolist() == [False, False]
+    assert sorted(map(tuple, checker.grid_cells(grid))) == [(0, 0), (0, 1), (1, 0), (1, 1)]
+    with pytest.raises(oc.Error, match=f"^grid: number {scan} is a cloud of points, not of cells$"):
+        checker.remove_grid(scan)
+    with pytest.raises(oc.Error, match=f"^cloud: number {grid} is a map of cells, not of points$"):
+        checker.remove_cloud(grid)
+    checker.remove_cloud(scan)
+    checker.remove_grid(grid)
+    assert (checker.is_valid(states) == before).all(), f"seed {seed}"
+    for use in (checker.remove_cloud, checker.cloud_points):
+        with pytest.raises(oc.Error, match=f"^cloud: there is none of number {scan}$"):
+            use(scan)
+    for of_grid in (checker.remove_grid, checker.grid_cells):
+        with pytest.raises(oc.Error, match=f"^grid: there is none of number {grid}$"):
+            of_grid(grid)
+    assert checker.add_cloud([[3.0, 6.0]], RADIUS) > grid
+    checker.remove_cloud(cloud)
+    assert checker.is_valid(points).all()
+    empty = checker.add_cloud(np.zeros((0, 2)), RADIUS)
+    checker.remove_cloud(empty)
+    assert checker.describe_collision([3, 6]).endswith(f"added cloud {grid + 1}")
+
+
+def test_a_path_is_asked_about_in_one_world() -> None:
+    scene, _ = world(2, np.array([[2.0, 2.0]]))
+    checker = oc.Checker(scene)
+    path = np.array([[1, 1], [1, 9], [9, 9], [9, 1], [5, 1]], dtype=float)
+    assert checker.find_blocked(path).tolist() == []
+    assert checker.find_blocked(path[:0]).shape == (0,)
+    box = checker.add_obstacle(oc.Body.box(0.5, 0.5), (5, 9))
+    assert checker.find_blocked(path).tolist() == [1]
+    checker.move_obstacle(box, (9, 1))  # where a state is: both motions there are blocked
+    assert checker.find_blocked(path).tolist() == [2, 3]
+    assert checker.find_blocked(path[3]).tolist() == [0]
+    assert checker.find_blocked(path[:1]).tolist() == []
+    assert checker.find_blocked([[1, 1], [1, np.nan], [1, 2]]).tolist() == [0, 1]
+    with pytest.raises(oc.Error, match="^path: must be an array of shape"):
+        checker.find_blocked(np.zeros((3, 4)))
+    seed = 8
+    states = np.random.default_rng(seed).uniform(0, 10, (200, 2))
+    valid = checker.is_valid(states)
+    free = valid[:-1] & valid[1:] & checker.check_motions(states[:-1], states[1:])
+    assert (checker.find_blocked(states) == np.flatnonzero(~free)).all(), f"seed {seed}"
+
+    # The box is always in the way of all motions or of none, whatever the other thread does.
+    done = threading.Event()
+
+    def move() -> None:
+        while not done.is_set():
+            checker.move_obstacle(box, (3, 5))
+            checker.move_obstacle(box, (9, 9))
+
+    thread = threading.Thread(target=move)
+    thread.start()
+    try:
+        counts = {len(checker.find_blocked(np.tile([[3.0, 4.0], [3.0, 6.0]], (500, 1)))) for _ in range(50)}
+    finally:
+        done.set()
+        thread.join()
+    assert counts <= {0, 999}
+
+
+def test_points_with_heights_are_seen_from_above_in_the_plane() -> None:
+    scene, _ = world(2, np.array([[2.0, 2.0]]))
+    checker = oc.Checker(scene)
+    frame = np.array([[4, 4, 0.5], [4.2, 4, 1], [6, 4, 0.5], [np.nan] * 3, [7, 4, np.inf], [8, 4, 2]])
+    state = [4, 4]
+    assert checker.find_robots(frame, state, padding=0.1).tolist() == [True, True, False, False, False, False]
+    assert (checker.without_robots(frame, state, padding=0.1) == frame[[2, 5]]).all()
+    assert (checker.without_robots(frame[:, :2], state, padding=0.1) == frame[[2, 4, 5], :2]).all()
+    scan = checker.add_cloud(checker.without_robots(frame, state, padding=0.1), RADIUS)
+    assert len(checker.cloud_points(scan)) == 2
+
+
 def slab(low: float, high: float) -> oc.Body:
     """A box as a planar mesh, from one height to another, 1 wide"""
     corners = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (low, high)])
@@ -203,7 +288,8 @@ def test_the_team_is_no_part_of_what_it_sees(dimension: int) -> None:
     checker.add_cloud(seen, radius=0.25)
     assert checker.is_valid(scene.start)
     assert checker.without_robots(np.zeros((0, dimension)), scene.start).shape == (0, dimension)
-    with pytest.raises(oc.Error, match=rf"^points: must have the shape \(n, {dimension}\), not \(3, 4\)$"):
+    shapes = r"\(n, 2\) or \(n, 3\)" if dimension == 2 else r"\(n, 3\)"
+    with pytest.raises(oc.Error, match=rf"^points: must have the shape {shapes}, not \(3, 4\)$"):
         checker.without_robots(np.zeros((3, 4)), scene.start)
     with pytest.raises(oc.Error, match="padding"):
         checker.without_robots(points, scene.start, padding=-1.0)

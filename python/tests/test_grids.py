@@ -169,3 +169,42 @@ def test_an_octomap_is_read_and_changed(scenes: pathlib.Path, tmp_path: pathlib.
     broken.write_bytes(maps[0].read_bytes()[:-40])
     with pytest.raises(oc.Error, match="broken.bt"):
         space.add_octomap_file(broken)
+
+
+def test_the_next_octomap_takes_the_place_of_the_last(scenes: pathlib.Path) -> None:
+    file = sorted(scenes.glob("**/*.bt"))[0]
+    data = file.read_bytes().split(b"data\n", 1)[1]
+    seed = 7
+    states = np.random.default_rng(seed).uniform(-5, 10, (2000, 3))
+    known = hall(3)
+    known.add_octomap(data, 0.25)
+    expected = oc.Checker(known).is_valid(states)
+    checker = oc.Checker(hall(3))
+    checker.set_adaptive(False)
+    free_at_first = checker.is_valid(states)
+    grid = checker.add_octomap(data, 0.25)
+    assert (checker.is_valid(states) == expected).all() and not expected.all()
+    cells = checker.grid_cells(grid)
+    assert cells.shape[1] == 3 and len(np.unique(cells, axis=0)) == len(cells)
+    # A map with one cell, (0, 0, 0), and then the first one again. Two bits for each child: 3 has children, 2 is full.
+    one = np.array([3 << 14] + 14 * [3] + [2], dtype="<u2").tobytes()
+    checker.change_octomap(grid, one, 0.25)
+    assert checker.grid_cells(grid).tolist() == [[0, 0, 0]]
+    small = hall(3)
+    small.add_octomap(one, 0.25)
+    assert (checker.is_valid(states) == oc.Checker(small).is_valid(states)).all()
+    certificates = len(checker.certificates())
+    checker.change_octomap(grid, one, 0.25)
+    assert len(checker.certificates()) == certificates
+    checker.change_octomap(grid, data, 0.25)
+    assert (checker.is_valid(states) == expected).all()
+    assert sorted(map(tuple, checker.grid_cells(grid))) == sorted(map(tuple, cells))
+    with pytest.raises(oc.Error, match=f"^grid {grid}: has another origin, or cells of another size: 0.25.*, not 0.5"):
+        checker.change_octomap(grid, data, 0.5)
+    with pytest.raises(oc.Error, match=f"^grid {grid}: has another origin"):
+        checker.change_octomap(grid, data, 0.25, origin=(1, 0, 0))
+    with pytest.raises(oc.Error, match="^octomap: ends before its last node$"):
+        checker.change_octomap(grid, data[:-1], 0.25)
+    assert (checker.is_valid(states) == expected).all()
+    checker.remove_grid(grid)
+    assert (checker.is_valid(states) == free_at_first).all()
