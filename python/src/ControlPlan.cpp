@@ -112,7 +112,7 @@ namespace ompl_certificates_python
             .def(
                 "prove", py::overload_cast<ControlPlan &>(&prove),
                 "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
-                "mode looks. In a step that is not proved a hundred states are looked at until one collides. Raises "
+                "mode looks, among the obstacles that the scene had when the plan was made. In a step that is not proved a hundred states are looked at until one collides. Raises "
                 "Error if there is no path.")
             .def("save", &save, py::arg("file"),
                  "Write times, states and controls as a table of comma-separated values (docs/controls.md).")

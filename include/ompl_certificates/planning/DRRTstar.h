@@ -42,7 +42,9 @@ namespace ompl_certificates
 
         Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. If the motion validator is a
         CertificateMotionValidator, it checks single robots and pairs, too; else one of its own does, in discrete mode.
-        All motions that are returned are valid for the space information's motion validator.
+        All motions that are returned are valid for the space information's motion validator. Roadmaps take their states
+        from the samplers of the robots' spaces, so the team's own sampler and a ValidStateSampler have no effect: give an
+        allocator to a robot's space, TeamStateSpace::getSubspace().
 
         @par External documentation
         K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
