@@ -30,7 +30,8 @@ namespace demos
             {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
         if (!isMoveItScene(scene))
         {
-            const std::string why = "is for planning scenes of MoveIt, messages as YAML, which " + scene + " is not";
+            const std::string why =
+                "is for planning scenes of MoveIt, which " + scene + " is not: they are messages in YAML";
             for (const auto &[option, file] : files)
                 if (!file.empty())
                     throw ompl::Exception(option, why);

@@ -3,7 +3,6 @@
 #include "robots/UniformState.h"
 
 #include "ompl_certificates/robots/Arm.h"
-#include "ompl_certificates/robots/ConfinedRobot.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -26,8 +25,7 @@ namespace ompl_certificates
             point off the axes that the body turns about */
         Eigen::Vector3d tracedPointOf(const Robot &robot)
         {
-            const auto *confined = dynamic_cast<const ConfinedRobot *>(&robot);
-            const auto *arm = dynamic_cast<const Arm *>(confined ? confined->getRobot().get() : &robot);
+            const auto *arm = dynamic_cast<const Arm *>(&robot);
             if (!arm)
                 return Eigen::Vector3d::Zero();
             ompl::RNG random(1);

@@ -1,8 +1,6 @@
 #include "support/RandomTrees.h"
 #include "support/Teams.h"
 
-#include "ompl_certificates/robots/ConfinedRobot.h"
-
 #include <gtest/gtest.h>
 #include <ompl/base/ProjectionEvaluator.h>
 
@@ -75,25 +73,21 @@ TEST(TeamProjection, SeesEachJointOfAnArm)
                  "head", Body::box(1.0, 0.1, 0.1));
     const std::vector<std::string> joints{"pan", "tilt"};
     const auto arm = std::make_shared<Arm>("head", head, joints);
-    const std::vector<PlacedBody> zones{{Body::box(1.0, 1.0, 1.0), poseAt({3.0, 0.0, 0.0})}};
-    for (const RobotPtr &robot : {RobotPtr(arm), RobotPtr(std::make_shared<ConfinedRobot>(arm, zones))})
+    const auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(arm);
+    team->setup();
+    const auto projection = team->getDefaultProjection();
+    Eigen::VectorXd before(3), after(3);
+    ob::ScopedState<> state(team);
+    for (std::size_t i = 0; i < joints.size(); ++i)
     {
-        const auto team = std::make_shared<TeamStateSpace>();
-        team->addRobot(robot);
-        team->setup();
-        const auto projection = team->getDefaultProjection();
-        Eigen::VectorXd before(3), after(3);
-        ob::ScopedState<> state(team);
-        for (std::size_t i = 0; i < joints.size(); ++i)
-        {
-            std::vector<double> values{0.3, 0.4};
-            state = values;
-            projection->project(state.get(), before);
-            values[i] += 0.5;
-            state = values;
-            projection->project(state.get(), after);
-            EXPECT_GT((after - before).norm(), 0.05) << joints[i];
-        }
+        std::vector<double> values{0.3, 0.4};
+        state = values;
+        projection->project(state.get(), before);
+        values[i] += 0.5;
+        state = values;
+        projection->project(state.get(), after);
+        EXPECT_GT((after - before).norm(), 0.05) << joints[i];
     }
 }
 
