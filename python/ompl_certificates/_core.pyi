@@ -700,7 +700,7 @@ class ControlPlan:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
         the planner's tree: some seconds for a hundred thousand states. The first report or page of a solution also
         calls prove(), unless that was done before."""
-    def prove(self) -> Proof:
+    def prove(self, checker: Optional[Checker] = None) -> Proof:
         """Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete mode
         looks, among the obstacles that the scene had when the plan was made. In a step that is not proved a hundred
         states are looked at until one collides. Raises Error if there is no path."""

@@ -319,6 +319,12 @@ namespace ompl_certificates_python
         return named.empty() ? collision : named;
     }
 
+    ObstaclesPtr Checker::getObstacles() const
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        return world_.getObstacles();
+    }
+
     Scene Checker::getScene(const ob::State *start, const ob::State *goal) const
     {
         Scene now(scene_.getName(), scene_.getSource(), scene_.getBounds());

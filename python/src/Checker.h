@@ -116,6 +116,9 @@ namespace ompl_certificates_python
             more than half of one between two rows */
         ompl::geometric::PathGeometric toPath(const Doubles &states, const char *what) const;
 
+        /** \brief The obstacles there are now */
+        ompl_certificates::ObstaclesPtr getObstacles() const;
+
         /** \brief The scene with the obstacles there are now, a start and a goal
             \param start, goal states of the team; null for the scene's own */
         Scene getScene(const ompl::base::State *start, const ompl::base::State *goal) const;

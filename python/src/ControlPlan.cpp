@@ -1,6 +1,7 @@
 #include "ControlPlan.h"
 
 #include "Bindings.h"
+#include "Checker.h"
 
 #include <ompl_certificates/control/PathSteps.h>
 #include <ompl_certificates/control/ProvePath.h>
@@ -78,6 +79,20 @@ namespace ompl_certificates_python
                                            { return plan.scene->describeCollision(team, state); }));
     }
 
+    namespace
+    {
+        /** The proof among the obstacles that a checker has now. The report is about those of the plan. */
+        Proof proveAmong(const ControlPlan &plan, const Checker &checker)
+        {
+            const auto team = std::static_pointer_cast<TeamStateSpace>(plan.setup->getStateSpace());
+            const auto among =
+                std::make_shared<TeamValidityChecker>(plan.setup->getSpaceInformation(), checker.getObstacles());
+            return toProof(findProof(solutionOf(plan), among,
+                                     [&](const ob::State *state)
+                                     { return checker.getScene(nullptr, nullptr).describeCollision(team, state); }));
+        }
+    }
+
     void setSolution(ControlPlan &plan, const control::PathControl &solution)
     {
         const auto path = std::make_shared<control::PathControl>(pathSteps(solution));
@@ -110,10 +125,14 @@ namespace ompl_certificates_python
             .def_readonly("control_names", &ControlPlan::controlNames,
                           "The names of the columns of controls, such as cart.linear")
             .def(
-                "prove", py::overload_cast<ControlPlan &>(&prove),
+                "prove",
+                [](ControlPlan &self, const Checker *checker)
+                { return checker ? proveAmong(self, *checker) : prove(self); },
+                py::arg("checker") = py::none(),
                 "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
-                "mode looks, among the obstacles that the scene had when the plan was made. In a step that is not proved a hundred states are looked at until one collides. Raises "
-                "Error if there is no path.")
+                "mode looks: among the obstacles that the scene had when the plan was made, or those that a checker has "
+                "now, such as one of the same scene that is told what a sensor sees. In a step that is not proved a "
+                "hundred states are looked at until one collides. Raises Error if there is no path.")
             .def("save", &save, py::arg("file"),
                  "Write times, states and controls as a table of comma-separated values (docs/controls.md).")
             .def(

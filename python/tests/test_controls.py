@@ -167,6 +167,25 @@ def test_steps_proved_free_do_not_jump_through_walls(closed: oc.Scene) -> None:
         assert oc.Checker(scene).is_valid(proved.at(np.linspace(0, proved.cost, 20000))).all()
 
 
+def test_plans_are_asked_about_in_a_world_that_changed(yard: oc.Scene) -> None:
+    plan = oc.plan_controls(yard, motion="continuous", goal_tolerance=1.0, time=60, seed=1)
+    assert plan.solved
+    checker = oc.Checker(yard)
+    assert plan.prove(checker).proved
+    middle = plan.path[len(plan.path) // 2]
+    box = checker.add_obstacle(oc.Body.disc(0.3), middle[:2])
+    proof = plan.prove(checker)
+    assert not proof.proved and proof.collision is not None
+    assert len(plan.path) // 2 in proof.unproved or len(plan.path) // 2 - 1 in proof.unproved
+    assert proof.reason is not None and f"added obstacle {box}" in proof.reason
+    # The report is about the world of the plan.
+    assert plan.prove().proved and plan.report["unproved_motions"] == 0
+    checker.remove_obstacle(box)
+    assert plan.prove(checker).proved
+    with pytest.raises(TypeError):
+        plan.prove(yard)  # type: ignore[arg-type]
+
+
 def test_steps_are_as_long_as_asked_for(yard: oc.Scene) -> None:
     plan = oc.plan_controls(yard, time=60, seed=1, step=0.05, min_steps=4, max_steps=6)
     assert plan.solved
