@@ -142,7 +142,7 @@ def test_a_path_is_asked_about_in_one_world() -> None:
     assert checker.find_blocked(path).tolist() == [2, 3]
     assert checker.find_blocked(path[3]).tolist() == [0]
     assert checker.find_blocked(path[:1]).tolist() == []
-    assert checker.find_blocked([[1, 1], [1, np.nan], [1, 2]]).tolist() == [0, 1]
+    assert checker.find_blocked(np.array([[1, 1], [1, np.nan], [1, 2]])).tolist() == [0, 1]
     with pytest.raises(oc.Error, match="^path: must be an array of shape"):
         checker.find_blocked(np.zeros((3, 4)))
     seed = 8
