@@ -7,8 +7,8 @@
 #include "Signals.h"
 
 #include <ompl_certificates/robots/Arm.h>
-#include <ompl_certificates/robots/LinkPoseGoal.h>
 #include <ompl_certificates/robots/CarWithTrailer.h>
+#include <ompl_certificates/robots/LinkPoseGoal.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/Coordinates.h>
 #include <ompl_certificates/team/Rotations.h>
