@@ -555,6 +555,7 @@ class Checker:
         binary: bool = True,
         id: str = "OcTree",
         *,
+        depth: Whole = 16,
         unknown_occupied: bool = False,
         heights: Optional[Numbers] = None,
         origin: Numbers = (),

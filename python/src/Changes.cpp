@@ -8,6 +8,7 @@
 #include <ompl_certificates/team/RobotFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -258,12 +259,11 @@ namespace ompl_certificates_python
         }
 
         void changeOctomap(Checker &checker, Number grid, const py::object &data, double resolution, bool binary,
-                           const std::string &id, bool unknownOccupied,
+                           const std::string &id, unsigned int depth, bool unknownOccupied,
                            const std::optional<std::pair<double, double>> &heights, const std::vector<double> &origin)
         {
-            constexpr unsigned int all = 16;
             const auto map = makeOctomap(checker.getDimension(), toOctomapMessage(data, resolution, binary, id),
-                                         {all, unknownOccupied, heights, origin});
+                                         {depth, unknownOccupied, heights, origin});
             const GilRelease release;
             checker.replaceGrid(grid, *map);
         }
@@ -272,21 +272,39 @@ namespace ompl_certificates_python
         py::array_t<std::int64_t> gridCells(const Checker &checker, Number grid)
         {
             const unsigned int dimension = checker.getDimension();
-            std::vector<std::int64_t> indices;
+            std::vector<CellBox> boxes = [&]
             {
                 const GilRelease release;
-                for (const CellBox &box : checker.getCells(grid))
-                    for (std::int32_t x = box.low[0]; x < box.high[0]; ++x)
-                        for (std::int32_t y = box.low[1]; y < box.high[1]; ++y)
-                            if (dimension == 2)
-                                indices.insert(indices.end(), {x, y});
-                            else
-                                for (std::int32_t z = box.low[2]; z < box.high[2]; ++z)
-                                    indices.insert(indices.end(), {x, y, z});
+                return checker.getCells(grid);
+            }();
+            std::uint64_t count = 0;
+            for (CellBox &box : boxes)
+            {
+                // In the plane boxes are flat.
+                if (dimension == 2)
+                    box.high[2] = box.low[2] + 1;
+                std::uint64_t cells = 1;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    cells *= static_cast<std::uint64_t>(box.high[axis] - box.low[axis]);
+                count += cells;
             }
-            py::array_t<std::int64_t> result(
-                {static_cast<py::ssize_t>(indices.size() / dimension), static_cast<py::ssize_t>(dimension)});
-            std::copy(indices.begin(), indices.end(), result.mutable_data());
+            // A few boxes may stand for more cells than fit into memory.
+            constexpr std::uint64_t most = 100000000;
+            if (count > most)
+                throw ompl::Exception("grid " + std::to_string(grid.value), "has " + std::to_string(count) +
+                                                                                " occupied cells, more than " +
+                                                                                std::to_string(most));
+            py::array_t<std::int64_t> result({static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(dimension)});
+            std::int64_t *index = result.mutable_data();
+            const GilRelease release;
+            for (const CellBox &box : boxes)
+                for (std::int64_t x = box.low[0]; x < box.high[0]; ++x)
+                    for (std::int64_t y = box.low[1]; y < box.high[1]; ++y)
+                        for (std::int64_t z = box.low[2]; z < box.high[2]; ++z)
+                        {
+                            const std::array cell{x, y, z};
+                            index = std::copy_n(cell.begin(), dimension, index);
+                        }
             return result;
         }
 
@@ -312,12 +330,12 @@ namespace ompl_certificates_python
                      "Add the occupied cells of an octomap, as Scene.add_octomap does, and return its number.")
                 .def(
                     "change_octomap", &changeOctomap, py::arg("grid"), py::arg("data"), py::arg("resolution"),
-                    py::arg("binary") = true, py::arg("id") = "OcTree", py::kw_only(),
+                    py::arg("binary") = true, py::arg("id") = "OcTree", py::kw_only(), py::arg("depth") = 16,
                     py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
                     py::arg("origin") = std::vector<double>(),
                     "Let a map have the cells of another octomap alone, all at once: the next message of the same map. "
-                    "Certificates stay where both are alike. The resolution must be the map's, and so must the origin. "
-                    "Time goes with all cells of the map. Where it raises an Error, nothing has changed.")
+                    "The cells must be as large as before, from the same origin on. From the second such change on, certificates "
+                    "stay where both are alike. Time goes with all cells of the map. Where it raises an Error, nothing has changed.")
                 .def(
                     "remove_grid",
                     [](Checker &self, Number grid)

@@ -180,13 +180,13 @@ namespace ompl_certificates_python
         const double *values = path.data();
         std::vector<std::int64_t> blocked;
         const GilRelease release;
+        // No signals are handled meanwhile: a handler may change the obstacles, or wait for who does.
         const auto held = setup_->getTeamChecker()->holdObstacles();
         const ob::SpaceInformation &si = *setup_->getSpaceInformation();
         Row first(*this), second(*this);
         Row *previous = &first, *next = &second;
         bool wasFree = true;
-        Signals signals;
-        for (std::size_t i = 0; i < rows; ++i, signals.handle())
+        for (std::size_t i = 0; i < rows; ++i)
         {
             const ob::State *state = next->read(values + i * rotations_.count);
             const bool isFree = state && next->isFinite() && si.isValid(state);

@@ -101,7 +101,8 @@ namespace ompl_certificates_python
                     py::arg("path"),
                     "Which motions of a path, with a state in each row, are blocked, or begin or end in a state that is: "
                     "numbers i of motions from row i to row i + 1, of shape (n,), none if the path is free. Of a path of "
-                    "one state, 0. All of it is checked among the same obstacles, also while other threads change them.")
+                    "one state, 0. All of it is checked among the same obstacles: changes by other threads wait for it, and so "
+                    "does Ctrl-C.")
                 .def("distance", &distanceOf, py::arg("starts"), py::arg("ends"),
                      "How far each end is from its start, in the team's own distance, for planners of your own: what "
                      "plan() counts as length, whatever is in between. For arrays of shape (n, coordinates) an array "
@@ -123,7 +124,7 @@ namespace ompl_certificates_python
                     py::arg("state"),
                     "What collides in a state, in one line that names the obstacle and the link; empty if it is valid. "
                     "Obstacles of the scene are called as Scene.validate() calls them, others added obstacle 3, "
-                    "added cloud 1 or added grid 2, by their numbers. Of a collision each call takes time in "
+                    "added cloud 1, added grid 2 or added map 3, by their numbers. Of a collision each call takes time in "
                     "proportion to all obstacles, so ask is_valid() about many states.")
                 .def(
                     "prove",

@@ -4,6 +4,7 @@
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 
 #include <ompl/util/Exception.h>
+#include <sstream>
 #include <utility>
 
 namespace ompl_certificates_python
@@ -24,6 +25,14 @@ namespace ompl_certificates_python
             {
                 throw ompl::Exception(where, exception.what());
             }
+        }
+
+        template <typename Number>
+        std::string textOf(const Number &number)
+        {
+            std::ostringstream text;
+            text << number;
+            return text.str();
         }
 
         void requireFinite(const std::vector<Eigen::Vector3d> &points, const std::string &what)
@@ -194,17 +203,31 @@ namespace ompl_certificates_python
     ObstacleChange World::replaceGrid(std::size_t grid, const CellObstacles &map)
     {
         const CellObstacles &now = getGrid(grid);
-        if (map.getCellSize() != now.getCellSize() || map.getOrigin() != now.getOrigin())
-            throw ompl::Exception("grid " + std::to_string(grid),
-                                  "has another origin, or cells of another size: " + std::to_string(now.getCellSize()) +
-                                      ", not " + std::to_string(map.getCellSize()));
+        const std::string where = "grid " + std::to_string(grid);
+        if (map.getCellSize() != now.getCellSize())
+            throw ompl::Exception(where, "has cells of " + textOf(now.getCellSize()) + ", not of " +
+                                             textOf(map.getCellSize()));
+        if (map.getOrigin() != now.getOrigin())
+            throw ompl::Exception(where, "has its origin at " + textOf(now.getOrigin().transpose()) + ", not at " +
+                                             textOf(map.getOrigin().transpose()));
+        Sensed &sensed = sensed_.at(grid);
+        if (!sensed.cells)
+        {
+            // The cells that go may be too many for a set.
+            CellSet cells(now.getCellSize(), dimension_, now.getOrigin());
+            orFail(where, [&] { cells.insert(map.getBoxes()); });
+            ObstacleChange change = cells.takeChange();
+            change.removed = std::exchange(sensed.obstacles, change.after);
+            sensed.cells = std::move(cells);
+            return ofWorld(std::move(change));
+        }
         return editGrid(grid,
                         [&](CellSet &cells)
                         {
                             constexpr std::int32_t far = CellBox::FARTHEST;
-                            cells.remove({CellBox{{-far, -far, dimension_ == 2 ? 0 : -far},
-                                                  {far, far, dimension_ == 2 ? 1 : far}}});
-                            orFail("grid " + std::to_string(grid), [&] { cells.insert(map.getBoxes()); });
+                            const bool isPlanar = dimension_ == 2;
+                            cells.remove({{{-far, -far, isPlanar ? 0 : -far}, {far, far, isPlanar ? 1 : far}}});
+                            orFail(where, [&] { cells.insert(map.getBoxes()); });
                         });
     }
 

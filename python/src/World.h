@@ -106,7 +106,7 @@ namespace ompl_certificates_python
         ompl_certificates::ObstacleChange addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size,
                                                   const Eigen::Vector3d &origin);
 
-        /** \brief Add a map of cells, which are not looked at. */
+        /** \brief Add a map of cells as it is: its first change makes a set of it. */
         ompl_certificates::ObstacleChange addMap(std::shared_ptr<const ompl_certificates::CellObstacles> map);
 
         /** \brief Change cells of a grid. Cost: that of CellSet; the first change of a grid of the scene, in proportion

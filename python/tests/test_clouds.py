@@ -1,7 +1,9 @@
 """Clouds of points that come and go"""
 
 import pathlib
+import signal
 import threading
+import time
 from typing import Any, Callable, List, Tuple
 
 import numpy as np
@@ -167,6 +169,30 @@ def test_a_path_is_asked_about_in_one_world() -> None:
         done.set()
         thread.join()
     assert counts <= {0, 999}
+
+
+def test_handlers_change_the_world_after_a_path_was_asked_about() -> None:
+    scene, _ = world(2, np.array([[2.0, 2.0]]))
+    checker = oc.Checker(scene)
+    states = np.random.default_rng(1).uniform([4.6, 7.6], [5.4, 8.4], (500, 2))
+    checker.set_adaptive(False)
+    assert checker.is_valid(states).all()
+    seen: List[int] = []
+
+    def see(_signal: int, _frame: Any) -> None:
+        seen.append(checker.add_cloud([[5.0, 8.0]], 1.0))
+
+    before = signal.signal(signal.SIGALRM, see)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.02)
+        path = np.tile([[5.0, 8.0], [5.0, 9.0]], (200, 1))
+        end = time.monotonic() + 20
+        while not seen and time.monotonic() < end:
+            checker.find_blocked(path)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert len(checker.find_blocked(path)) == len(path) - 1
+    assert not checker.is_valid(states).any()
 
 
 def test_points_with_heights_are_seen_from_above_in_the_plane() -> None:

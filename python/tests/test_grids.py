@@ -199,12 +199,24 @@ def test_the_next_octomap_takes_the_place_of_the_last(scenes: pathlib.Path) -> N
     checker.change_octomap(grid, data, 0.25)
     assert (checker.is_valid(states) == expected).all()
     assert sorted(map(tuple, checker.grid_cells(grid))) == sorted(map(tuple, cells))
-    with pytest.raises(oc.Error, match=f"^grid {grid}: has another origin, or cells of another size: 0.25.*, not 0.5"):
+    with pytest.raises(oc.Error, match=f"^grid {grid}: has cells of 0.25, not of 0.5$"):
         checker.change_octomap(grid, data, 0.5)
-    with pytest.raises(oc.Error, match=f"^grid {grid}: has another origin"):
+    with pytest.raises(oc.Error, match=f"^grid {grid}: has its origin at 0 0 0, not at 1 0 0$"):
         checker.change_octomap(grid, data, 0.25, origin=(1, 0, 0))
     with pytest.raises(oc.Error, match="^octomap: ends before its last node$"):
         checker.change_octomap(grid, data[:-1], 0.25)
     assert (checker.is_valid(states) == expected).all()
     checker.remove_grid(grid)
     assert (checker.is_valid(states) == free_at_first).all()
+
+    # One node of half the world: too many cells to be changed one by one, and to be listed, but others take its place.
+    half = np.array([2], dtype="<u2").tobytes()
+    large = checker.add_octomap(half, 0.25)
+    with pytest.raises(oc.Error, match=rf"^grid {large}: has \d+ occupied cells, more than 100000000$"):
+        checker.grid_cells(large)
+    checker.change_octomap(large, one, 0.25)
+    assert checker.grid_cells(large).tolist() == [[0, 0, 0]]
+    coarse = checker.add_octomap(data, 0.25, depth=15)
+    checker.change_octomap(coarse, data, 0.25, depth=15)
+    with pytest.raises(oc.Error, match=f"^grid {coarse}: has cells of "):
+        checker.change_octomap(coarse, data, 0.5, depth=15)

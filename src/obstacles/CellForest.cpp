@@ -62,7 +62,7 @@ namespace ompl_certificates
                 return bounds;
             }())
     {
-        // A map takes most of the time of a change where there are many blocks.
+        // std::map would take most of the time of a change where there are many blocks.
         const auto hashOf = [](const std::array<std::int32_t, 3> &cell)
         {
             std::uint64_t hash = 0;

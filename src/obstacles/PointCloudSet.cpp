@@ -99,8 +99,8 @@ namespace ompl_certificates
                                [&counts](const Eigen::Vector3d &point) { return counts.take(point); });
         }
 
-        /** Takes out what is in both, each point as often as it is. What few points share may stay: that costs time
-            alone. */
+        /** Takes out what is in both, each point as often as it is. Where few of many points are in both, they may stay
+            there: what comes and goes at once is asked about anew, which costs time alone. */
         void dropEqual(std::vector<Eigen::Vector3d> &first, std::vector<Eigen::Vector3d> &second)
         {
             if (first.empty() || second.empty() || !mayShare(first, second))

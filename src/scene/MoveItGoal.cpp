@@ -88,12 +88,18 @@ namespace ompl_certificates
             if (!tree.hasJoint(name))
                 item.at("joint_name").fail(no + didYouMean(name, arm.getGroup()));
             const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
-            const std::string why = robot.isPassive(name) ? no + ": the SRDF file says that it is passive" : no;
+            const std::string why = robot.isPassive(name) ? no + ", since the SRDF file says that it is passive" : no;
             if (coordinatesOf(joint.type) != 1)
                 item.at("joint_name").fail(why);
             const double value = hasEqualLimits(joint) ? joint.lower : moveItValue(start, tree, joint);
-            if (!(std::abs(item.at("position").number() - value) <= FILE_ROUNDING))
-                item.at("joint_name").fail(why + "; it stays at " + std::to_string(value));
+            double beyond = value - item.at("position").number();
+            if (joint.type == JointType::CONTINUOUS)
+                beyond = std::remainder(beyond, 2.0 * M_PI);
+            const auto tolerance = [&item](const char *key)
+            { return FILE_ROUNDING + (item.has(key) ? item.at(key).number() : 0.0); };
+            if (!(beyond <= tolerance("tolerance_above") && -beyond <= tolerance("tolerance_below")))
+                item.at("position")
+                    .fail(why + ": it stays at " + std::to_string(value) + ", not " + item.at("position").describe());
         }
 
         MoveItJoints readJoints(const YamlNode &goal, const ArmFile &robot, const Arm &arm,

@@ -9,8 +9,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief A fixed linear map from the positions of all robots, their traced bodies, to as many coordinates as the workspace has
-        dimensions. Its rows are orthonormal, so a planner that looks at projections sees every robot's motion. */
+    /** \brief A fixed linear map from the positions of all robots, those of their traced bodies, to as many coordinates
+        as the workspace has dimensions. Its rows are orthonormal, so a planner that looks at projections sees every
+        robot's motion. */
     class TeamProjection : public ompl::base::ProjectionEvaluator
     {
     public:

@@ -167,8 +167,8 @@ namespace ompl_certificates
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}]}]\n",
                  "request.yaml:3: goal_constraints[0]: has no position of joint 'bend'"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0.3}]}]\n",
-                 "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the group; "
-                 "it stays at 0."},
+                 "request.yaml:3: goal_constraints[0].joint_constraints[0].position: 'slide' is not a joint of the group: "
+                 "it stays at 0.100000, not 0.3"},
                 {"request: {group_name: arm}\n",
                  "request.yaml:1: request: is what is wanted, but it is a part of a larger"},
                 {group + START +
@@ -269,7 +269,7 @@ namespace ompl_certificates
                 std::string text, replacement, scene, message, note;
             } const all[]{
                 {"joint name=\"bend\"", "joint name=\"bnd\"", BALL,
-                 "request.yaml:6: goal_constraints[0].joint_constraints[1].joint_name: 'bend' is not a joint of the group; ",
+                 "request.yaml:6: goal_constraints[0].joint_constraints[1].position: 'bend' is not a joint of the group: it stays at 0.500000, not 4; ",
                  "broken.srdf:3: <joint>: there is no joint 'bnd'; ignored"},
                 {"<group name=\"arm\">", "<group name=\"arm\"><chain base_link=\"bse\" tip_link=\"tip\"/>",
                  OBJECTS + "    - {id: a, header: {frame_id: moon}, planes: [{coef: [0, 0, 1, 0]}]}\n",
@@ -280,8 +280,8 @@ namespace ompl_certificates
                  "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'world'; ",
                  "virtual joint 'world_joint' is ignored: its child is not the root link 'base'"},
                 {"<group name=\"arm\">", "<passive_joint name=\"bend\"/><group name=\"arm\">", BALL,
-                 "request.yaml:6: goal_constraints[0].joint_constraints[1].joint_name: 'bend' is not a joint of the group: ",
-                 "the SRDF file says that it is passive"},
+                 "request.yaml:6: goal_constraints[0].joint_constraints[1].position: 'bend' is not a joint of the group, ",
+                 "since the SRDF file says that it is passive"},
                 {"<joint name=\"turn\"/><joint name=\"bend\"/>", "<joint name=\"trn\"/>", BALL,
                  "request.yaml:1: group_name: ", "broken.srdf:3: <joint>: there is no joint 'trn'; ignored"},
             };

@@ -166,9 +166,15 @@ namespace ompl_certificates
                        joint + ", position: " + position + "}]}]\n";
             };
             EXPECT_EQ(read(BALL, request("bend", "0.5")).scene.getMembers().front().goal, std::vector<double>{-1.0});
+            EXPECT_EQ(read(BALL, request("slide", "0.15, tolerance_below: 0.06")).scene.getMembers().front().goal,
+                      std::vector<double>{-1.0});
+            EXPECT_NE(messageOf(BALL, request("slide", "0.15, tolerance_above: 0.06")).find("it stays at 0.1"),
+                      std::string::npos);
+            EXPECT_EQ(read(BALL, request("bend", "6.783185307179586")).scene.getMembers().front().goal,
+                      std::vector<double>{-1.0});
             EXPECT_EQ(read(BALL, request("slide", "0.1")).scene.getMembers().front().goal, std::vector<double>{-1.0});
             EXPECT_NE(
-                messageOf(BALL, request("bend", "4")).find("the SRDF file says that it is passive; it stays at 0.5"),
+                messageOf(BALL, request("bend", "4")).find("the SRDF file says that it is passive: it stays at 0.5"),
                 std::string::npos)
                 << messageOf(BALL, request("bend", "4"));
             EXPECT_NE(messageOf(BALL, request("mount", "0")).find("'mount' is not a joint of the group"),
