@@ -105,6 +105,16 @@ TEST_P(OctomapFile, IsRefusedWhenDamaged)
     }
 }
 
+/** Such a cell is occupied for octomap's own threshold. */
+TEST_P(OctomapFile, MayHaveCellsOfEvenOdds)
+{
+    octomap::OcTree map(0.1);
+    map.setNodeValue(octomap::point3d(0.05F, 0.05F, 0.05F), 0.0F);
+    const OctomapObstacles expected(map);
+    ASSERT_EQ(expected.getBoxes().size(), 1U);
+    EXPECT_EQ(OctomapObstacles(write(contentOf(map, GetParam()))).getBoxes(), expected.getBoxes());
+}
+
 /** Of trees whose nodes have more than OcTree's, such as a color, the cells count. */
 template <typename Tree>
 void expectCellsOf(const octomap::OcTree &map, const std::function<std::string(const std::string &)> &write,
@@ -174,6 +184,19 @@ TEST_P(OctomapFile, IsReadFromMessages)
     expectMessage("is damaged", [](OctomapMessage &of) { of.data.assign(100000, '\xFF'); });
     for (std::size_t length = 1; length < message.data.size(); length += 1 + message.data.size() / 50)
         expectMessage("ends before", [length](OctomapMessage &of) { of.data.resize(length); });
+}
+
+/** Of a root without children a .bt file does not tell whether it is occupied. For octomap it is. */
+TEST(OctomapFile, MayBeOfTheRootAlone)
+{
+    const Folder folder;
+    const std::string file = folder.write(
+        "root.bt", "# Octomap OcTree binary file\nid OcTree\nsize 1\nres 0.1\ndata\n" + std::string(2, '\0'));
+    octomap::OcTree map(0.1);
+    ASSERT_TRUE(map.readBinary(file));
+    const OctomapObstacles expected(map);
+    ASSERT_EQ(expected.getBoxes().size(), 1U);
+    EXPECT_EQ(OctomapObstacles(file).getBoxes(), expected.getBoxes());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, OctomapFile, testing::Bool(),

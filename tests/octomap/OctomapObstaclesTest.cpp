@@ -125,6 +125,21 @@ TEST(OctomapObstacles, AreSlicedBetweenTwoHeights)
     }
 }
 
+TEST(OctomapObstacles, AreSlicedWhereTheMapIsPlaced)
+{
+    octomap::OcTree map(0.1);
+    map.updateNode(octomap::point3d(0.05F, 0.05F, 0.05F), true);
+    OctomapOptions options;
+    options.origin = {0.0, 0.0, -1.0};
+    options.slice = {-1.0, -0.9};
+    EXPECT_EQ(OctomapObstacles(map, options).getBoxes().size(), 1U);
+    for (const ZInterval &beside : {ZInterval{-1.5, -1.4}, ZInterval{-0.5, -0.4}, ZInterval{0.0, 0.1}})
+    {
+        options.slice = beside;
+        EXPECT_TRUE(OctomapObstacles(map, options).getBoxes().empty()) << "from z = " << beside.low;
+    }
+}
+
 TEST(OctomapObstacles, CollideAsFclSaysOfItsOcTree)
 {
     unsigned int hits = 0, poses = 0;
