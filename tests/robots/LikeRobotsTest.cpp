@@ -1,3 +1,4 @@
+#include "support/RandomTrees.h"
 #include "support/Teams.h"
 
 #include <gtest/gtest.h>
@@ -51,4 +52,27 @@ TEST(LikeRobots, AreNotSoIfTheirWeightsDiffer)
     ASSERT_TRUE(a->isLike(*b));
     b->getStateSpace()->as<ompl::base::CompoundStateSpace>()->setSubspaceWeight(1, 3.0);
     EXPECT_FALSE(a->isLike(*b));
+}
+
+TEST(LikeRobots, HaveJointsThatFollowAlike)
+{
+    const auto follower = [](double multiplier, double offset)
+    {
+        KinematicTree tree("base", Body::sphere(0.1));
+        tree.addLink("base", joint("leader", KinematicTree::JointType::REVOLUTE, {0, 0, 0}), "link");
+        auto follows = joint("follower", KinematicTree::JointType::REVOLUTE, {0.3, 0, 0});
+        follows.mimic = KinematicTree::Mimic{"leader", multiplier, offset};
+        tree.addLink("link", follows, "tip", Body::sphere(0.1));
+        return tree;
+    };
+    const auto armOf = [](const KinematicTree &tree)
+    { return std::make_shared<Arm>("arm", tree, std::vector<std::string>{"leader"}, ArmOptions{}); };
+    const KinematicTree tree = follower(1.0, 0.0);
+    EXPECT_TRUE(tree == follower(1.0, 0.0));
+    EXPECT_TRUE(armOf(tree)->isLike(*armOf(follower(1.0, 0.0))));
+    for (const KinematicTree &other : {follower(2.0, 0.0), follower(1.0, 0.5)})
+    {
+        EXPECT_FALSE(tree == other);
+        EXPECT_FALSE(armOf(tree)->isLike(*armOf(other)));
+    }
 }
