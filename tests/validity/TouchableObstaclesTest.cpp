@@ -36,6 +36,22 @@ namespace
         return team;
     }
 
+    /** An arm whose base is at \e x, and whose link touches a box at x = 0.5 if the base is at 0 */
+    std::shared_ptr<const Arm> armThatKnowsTheBox(const std::string &name, double x, bool mayTouch)
+    {
+        using JointType = KinematicTree::JointType;
+        KinematicTree tree("base", Body::sphere(0.05));
+        tree.addLink("base", joint("turn", JointType::REVOLUTE, {0, 0, 0}), "link",
+                     Body({{Shape::ball(3, 0.1), poseAt({0.5, 0.0, 0.0})}}));
+        tree.addLink("base", joint("fix", JointType::FIXED, {0.5 - x, 0.0, 0.0}), "box", Body::box(0.2, 0.2, 0.2));
+        ArmOptions options;
+        options.base = poseAt({x, 0.0, 0.0});
+        options.obstacles = {"box"};
+        if (!mayTouch)
+            options.linkPairs = {{"link", "box"}};
+        return std::make_shared<const Arm>(name, tree, std::vector<std::string>{"turn"}, options);
+    }
+
     ObstaclesPtr obstaclesAround(Random &random)
     {
         std::vector<PlacedBody> bodies{{Body::box(1.0, 1.0, 0.1), poseAt({0.0, 0.0, 0.0})}};
@@ -174,6 +190,23 @@ TEST_F(TouchableObstacles, AreNoneForTheBasicMethodsCertificates)
     EXPECT_GT(certificates.size(), 50u);
     for (const Certificate &certificate : certificates)
         EXPECT_NEAR(certificate.clearance, obstacles->clearance(certificate.point), 1e-6);
+}
+
+TEST_F(TouchableObstacles, AreEachArmsOwnAffairWhereTwoKnowThem)
+{
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3);
+    for (const bool mayTouch : {true, false})
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(armThatKnowsTheBox("far", 10.0, false));
+        team->addRobot(armThatKnowsTheBox("near", 0.0, mayTouch));
+        const Checkers checkers(team, none);
+        ob::ScopedState<> state(team);
+        state = std::vector<double>{1.0, 0.0};
+        for (const auto &setup : checkers.setups)
+            EXPECT_EQ(setup->getTeamChecker()->isValid(state.get()), mayTouch)
+                << nameOf(setup->getTeamChecker()->getMethod());
+    }
 }
 
 TEST_F(TouchableObstacles, MakeArmsUnlike)

@@ -131,6 +131,8 @@ TEST(WorldLock, HoldsEndInAnyOrder)
     outer.reset();
     const auto changed = change(lock);
     EXPECT_FALSE(isDone(changed, A_MOMENT));
+    // The change waits for the hold, not for the check within it, so it lets others check.
+    ASSERT_TRUE(isDone(inThread<WorldLock::Check>(lock), VERY_LONG)) << "the hold ended with the outer check";
     inner.reset();
     EXPECT_TRUE(isDone(changed, VERY_LONG));
     EXPECT_NO_THROW(WholeChange{*lock});
