@@ -247,6 +247,30 @@ TEST(CellObstacles, FillTheWholeRangeOfIndices)
     EXPECT_NEAR(obstacles.clearance({0.5 * most - 0.25, 0.5 * most - 0.2, 0.5 * most - 0.25}), -0.2, 1e-11);
 }
 
+/** So far from the origin the search's own numbers are coarse. */
+TEST(CellObstacles, HaveNoGapBeyondTheirDistanceFarAway)
+{
+    Random random(1);
+    const CellObstacles cells(0.05, {{{30000, 30000, 30000}, {30001, 30001, 30001}}}, 3);
+    const Eigen::Vector3d middle = Eigen::Vector3d::Constant(0.05 * 30000.5);
+    const Body body = Body::box(0.2, 0.1, 0.1);
+    unsigned int apart = 0;
+    for (int i = 0; i < 3000; ++i)
+    {
+        Pose pose = random.pose(3, 0.5);
+        pose.translation() += middle;
+        const double gap = cells.gap(body, pose, 1e-6, 1.0);
+        if (gap <= 0.0)
+            continue;
+        double free = 0.0, hit = 1.5;
+        while (hit - free > 1e-9)
+            (cells.staysFree(body, pose, 0.5 * (free + hit)) ? free : hit) = 0.5 * (free + hit);
+        ASSERT_LE(gap, hit) << pose.matrix();
+        ++apart;
+    }
+    EXPECT_GT(apart, 1000U);
+}
+
 TEST(CellObstacles, AreKnownByTheirCells)
 {
     const std::vector<CellBox> one{{{0, 0, 0}, {2, 1, 1}}}, two{{{1, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}},

@@ -165,6 +165,20 @@ TEST(PaddedBodies, HitForCertainOnlyWhatTheyTouch)
         }
 }
 
+/** In the plane only what of a triangle is within the robots' z-interval counts. */
+TEST(PaddedBodies, HitNoTriangleAboveTheRobots)
+{
+    // It rises toward the disc, which is beside it at z = 0.
+    const auto ramp = std::make_shared<TriangleMesh>(
+        std::vector<Eigen::Vector3d>{{10.0, -5.0, -2.0}, {10.0, 5.0, -2.0}, {0.0, 0.0, 1.0}},
+        std::vector<TriangleMesh::Triangle>{{0, 1, 2}});
+    const FclObstacles obstacles({{Body::planarMesh(ramp)}}, 2, {-2.0, -1.0});
+    const Body disc = Body::disc(0.1).padded(0.3);
+    EXPECT_TRUE(obstacles.collides(disc, planarPose(7.0, 0.0)));
+    EXPECT_FALSE(obstacles.collides(disc, planarPose(3.0, 0.0)));
+    EXPECT_FALSE(obstacles.certainlyHits(disc, planarPose(3.0, 0.0), 0));
+}
+
 TEST(PaddedBodies, AreNoObstacles)
 {
     EXPECT_THROW(FclObstacles({{Body::disc(1.0).padded(0.1)}}, 2), ompl::Exception);
