@@ -7,8 +7,9 @@
 #include "ompl_certificates/scene/CloudFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
-#include <gtest/gtest.h>
+#include <algorithm>
 #include <cstring>
+#include <gtest/gtest.h>
 
 namespace ompl_certificates
 {
@@ -77,6 +78,27 @@ namespace ompl_certificates
         std::memcpy(bytes.data() + 13, numbers, sizeof(numbers));
         const std::string binary = text.substr(0, text.find("ascii")) + "binary\n" + bytes;
         EXPECT_EQ(loadCloud(folder.write("fields.pcd", binary)).points.at(0), Eigen::Vector3d(1.0, 2.0, 3.0));
+    }
+
+    TEST(CloudFile, HasDoublesInEitherOrderOfBytes)
+    {
+        const Folder folder;
+        for (const std::string order : {"little", "big"})
+        {
+            std::string content = "ply\nformat binary_" + order +
+                                  "_endian 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                                  "property double z\nend_header\n";
+            for (const Eigen::Vector3d &point : POINTS)
+                for (const double number : point)
+                {
+                    char bytes[sizeof(number)];
+                    std::memcpy(bytes, &number, sizeof(number));
+                    if (order == "big")
+                        std::reverse(bytes, bytes + sizeof(number));
+                    content.append(bytes, sizeof(number));
+                }
+            EXPECT_EQ(loadCloud(folder.write("a.ply", content)).points, POINTS) << order;
+        }
     }
 
     /** A file of three points, with data that says it becomes \e size bytes */

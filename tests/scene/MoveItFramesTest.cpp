@@ -202,5 +202,22 @@ namespace ompl_certificates
                       "scene.yaml:2: fixed_frame_transforms[0].child_frame_id: must be the frame that MoveIt plans in, "
                       "'base', not 'table'; the header names the frame whose pose there the transform is");
         }
+
+        /** Without a virtual joint only the scene says where the root is. */
+        TEST_F(MoveItScene, FixedFramesMoveWithTheRootThatTheyAreIn)
+        {
+            std::string srdf = TWO_LINKS_SRDF;
+            srdf.erase(srdf.find("  <virtual_joint"), srdf.find("  <group") - srdf.find("  <virtual_joint"));
+            robot_ = std::make_unique<const ArmFile>(folder_.path() + "/arm.urdf", folder_.write("arm.srdf", srdf));
+            const SceneFile file = read(
+                "robot_state: {multi_dof_joint_state: {joint_names: [to_world], transforms: [{translation: [5, 0, "
+                "0]}]}}\n"
+                "fixed_frame_transforms: [{header: {frame_id: table}, child_frame_id: base, transform: {translation: "
+                "[1, 0, 0], rotation: [0, 0, 0, 1]}}]\n" +
+                OBJECTS +
+                "    - {id: ball, header: {frame_id: table}, primitives: [{type: sphere, dimensions: [0.1]}], "
+                "primitive_poses: [{position: [0, 2, 0]}]}\n");
+            EXPECT_EQ(Eigen::Vector3d(file.scene.getObstacles().at(0).pose.translation()), Eigen::Vector3d(6, 2, 0));
+        }
     }
 }

@@ -78,6 +78,17 @@ namespace ompl_certificates
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 255 0 255 0 0 255 255 255\n255 255 255 0 0 255 255 255 0\n"), ".#.##.");
     }
 
+    /** A pixel at a threshold is beyond neither. */
+    TEST(OccupancyMapFile, HasPixelsAtItsThresholds)
+    {
+        const std::string image = "P2\n3 1\n255\n0 127 255\n";
+        const auto drawnWith = [&](const std::string &occupied, const std::string &free, bool unknownIsOccupied)
+        { return drawn(replaced(replaced(MAP, "0.65", occupied), "0.196", free), image, unknownIsOccupied, 3, 1); };
+        EXPECT_EQ(drawnWith("0.65", "0.196", true), "##.");
+        EXPECT_EQ(drawnWith("1.0", "0.196", false), "...");
+        EXPECT_EQ(drawnWith("0.65", "0", true), "###");
+    }
+
     TEST(OccupancyMapFile, ReadsBitsTextsAndSixteenBits)
     {
         const std::string map = "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 6.283185307179586]\n";
