@@ -217,6 +217,20 @@ TEST(TeamPropagatorTest, RefusesBadParts)
         "Steps are proved free by certificates, which the method standard does not have");
 }
 
+TEST(LimitedValidityChecker, FindsNoClearanceBeyondTheLimits)
+{
+    TeamControlSetup setup(teamOf({allKinds()[1]}), boxes({{{2.0, 0.0, 0.2, 0.2}}}));
+    setup.getSpaceInformation()->setup();
+    const auto checker =
+        std::dynamic_pointer_cast<LimitedValidityChecker>(setup.getSpaceInformation()->getStateValidityChecker());
+    ASSERT_TRUE(checker);
+    ob::ScopedState<> state(setup.getStateSpace());
+    state = std::vector<double>{0.0, 0.0, 0.4, 0.0};
+    EXPECT_GT(checker->clearance(state.get()), 0.0);
+    state[2] = 0.6;
+    EXPECT_EQ(checker->clearance(state.get()), -std::numeric_limits<double>::infinity());
+}
+
 /** Steps are proved with the checker of the setup, which a change of the obstacles must reach. */
 TEST(TeamControlSetup, WarnsWhereProofsAskAnotherCheckerThanStates)
 {
