@@ -156,6 +156,28 @@ TEST_F(ProvePathTest, NeedsNoCheckerThatMakesCertificates)
     }
 }
 
+TEST_F(ProvePathTest, AsksTheCheckerItselfOfWhereMotionsStart)
+{
+    struct RefusesTheStart : TeamValidityChecker
+    {
+        using TeamValidityChecker::TeamValidityChecker;
+
+        bool isValid(const ob::State *state) const override
+        {
+            return *getSpaceInformation()->getStateSpace()->getValueAddressAtIndex(state, 0) != -2.0 &&
+                   TeamValidityChecker::isValid(state);
+        }
+    };
+    const auto setup = floor();
+    const auto checker = std::make_shared<RefusesTheStart>(setup->getSpaceInformation(),
+                                                           std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2),
+                                                           Method::SHARED_PROJECTION);
+    const PathProof proof = provePath(through(*setup, {{-2.0, -1.0}, {0.0, -1.0}, {2.0, -1.0}}), checker);
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{0});
+    ASSERT_NE(proof.collision, nullptr);
+    EXPECT_EQ((*proof.collision)[0], -2.0);
+}
+
 /** Plans past a thin wall, which look where the disc is each 0.6: some go through the wall, and those are not proved.
     */
 TEST_F(ProvePathTest, NeverProvesAPlanThatCollides)
