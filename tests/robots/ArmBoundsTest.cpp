@@ -9,78 +9,100 @@ namespace ob = ompl::base;
 
 namespace
 {
+    using JointType = KinematicTree::JointType;
+
     struct Tightness
     {
         double bodies{0.0}, pairs{0.0}, count{0.0}, pairCount{0.0};
     };
 
-    /** No point moves farther than its motion bound, densely sampled, in the workspace and seen from other links.
-        \return sums of bound / truth, for the points that move farthest */
+    /** No point moves farther than its motion bound, and no body turns farther, densely sampled, in the workspace and
+        seen from other links. Adds up bound / truth for the points that move farthest. */
+    void expectBoundsOf(const Arm &arm, const ob::State *from, const ob::State *to, Tightness &tightness)
+    {
+        const ob::StateSpacePtr space = arm.getStateSpace();
+        ob::ScopedState<> between(space);
+        constexpr int steps = 100;
+        const std::size_t count = arm.getBodies().size();
+        const auto &pairs = arm.getBodyPairs();
+        std::vector<MotionBound> bounds(count);
+        arm.computeMotionBounds(from, to, bounds.data());
+        std::vector<PairMotionBound> pairBounds(pairs.size());
+        arm.computePairMotionBounds(from, to, bounds.data(), pairBounds.data());
+        std::vector<std::vector<Pose>> poses(steps + 1, std::vector<Pose>(count));
+        for (int i = 0; i <= steps; ++i)
+        {
+            space->interpolate(from, to, static_cast<double>(i) / steps, between.get());
+            arm.computePoses(between.get(), poses[static_cast<std::size_t>(i)].data());
+        }
+        // In steps, the way is what was covered; the bound holds for each of them.
+        const auto compare = [&](const MotionBound &bound, double radius, auto poseAtStep, double &sum, double &n)
+        {
+            double truth = 0.0;
+            for (int i = 0; i < steps; ++i)
+            {
+                const Pose a = poseAtStep(i), b = poseAtStep(i + 1);
+                const double moved = (b.translation() - a.translation()).norm();
+                ASSERT_LE(steps * moved, bound.linear * (1 + 1e-9) + 1e-10);
+                const Eigen::AngleAxisd turned(a.linear().transpose() * b.linear());
+                ASSERT_LE(steps * std::abs(turned.angle()), bound.angular * (1 + 1e-9) + 1e-10);
+                for (int axis = 0; axis < 6; ++axis)
+                {
+                    const Eigen::Vector3d point = (axis < 3 ? radius : -radius) * Eigen::Vector3d::Unit(axis % 3);
+                    const double way = steps * (b * point - a * point).norm();
+                    ASSERT_LE(way, bound.at(radius) * (1 + 1e-9) + 1e-10);
+                    truth = std::max(truth, way);
+                }
+            }
+            if (truth > 1e-6)
+            {
+                sum += bound.at(radius) / truth;
+                n += 1.0;
+            }
+        };
+        for (std::size_t k = 0; k < count; ++k)
+            compare(
+                bounds[k], arm.getBodies()[k].getBoundingRadius(),
+                [&](int i) { return poses[static_cast<std::size_t>(i)][k]; }, tightness.bodies, tightness.count);
+        for (std::size_t p = 0; p < pairs.size(); ++p)
+            for (const bool swapped : {false, true})
+            {
+                const std::size_t seen = swapped ? pairs[p].second : pairs[p].first,
+                                  observer = swapped ? pairs[p].first : pairs[p].second;
+                compare(
+                    swapped ? pairBounds[p].second : pairBounds[p].first, arm.getBodies()[seen].getBoundingRadius(),
+                    [&](int i)
+                    {
+                        const std::vector<Pose> &now = poses[static_cast<std::size_t>(i)];
+                        return Pose(now[observer].inverse() * now[seen]);
+                    },
+                    tightness.pairs, tightness.pairCount);
+            }
+    }
+
+    void expectBoundsOf(const Arm &arm, const std::vector<double> &from, const std::vector<double> &to)
+    {
+        ob::ScopedState<> start(arm.getStateSpace()), end(arm.getStateSpace());
+        start = from;
+        end = to;
+        Tightness tightness;
+        expectBoundsOf(arm, start.get(), end.get(), tightness);
+        EXPECT_GT(tightness.count, 0.0) << "nothing moves";
+    }
+
+    /** expectBoundsOf() random motions, shortened to a \e fraction */
     Tightness expectBounds(const Arm &arm, int motions, double fraction)
     {
         const ob::StateSpacePtr space = arm.getStateSpace();
         auto sampler = space->allocStateSampler();
-        ob::ScopedState<> from(space), to(space), between(space);
-        constexpr int steps = 100;
-        const std::size_t count = arm.getBodies().size();
-        const auto &pairs = arm.getBodyPairs();
+        ob::ScopedState<> from(space), to(space);
         Tightness tightness;
         for (int m = 0; m < motions; ++m)
         {
             sampler->sampleUniform(from.get());
             sampler->sampleUniform(to.get());
             space->interpolate(from.get(), to.get(), fraction, to.get());
-            std::vector<MotionBound> bounds(count);
-            arm.computeMotionBounds(from.get(), to.get(), bounds.data());
-            std::vector<PairMotionBound> pairBounds(pairs.size());
-            arm.computePairMotionBounds(from.get(), to.get(), bounds.data(), pairBounds.data());
-            std::vector<std::vector<Pose>> poses(steps + 1, std::vector<Pose>(count));
-            for (int i = 0; i <= steps; ++i)
-            {
-                space->interpolate(from.get(), to.get(), static_cast<double>(i) / steps, between.get());
-                arm.computePoses(between.get(), poses[static_cast<std::size_t>(i)].data());
-            }
-            // In steps, the way is what was covered; the bound holds for each of them.
-            const auto compare = [&](const MotionBound &bound, double radius, auto poseAtStep, double &sum, double &n)
-            {
-                double truth = 0.0;
-                for (int i = 0; i < steps; ++i)
-                {
-                    const Pose a = poseAtStep(i), b = poseAtStep(i + 1);
-                    const double moved = (b.translation() - a.translation()).norm();
-                    ASSERT_LE(steps * moved, bound.linear * (1 + 1e-9) + 1e-10);
-                    for (int axis = 0; axis < 6; ++axis)
-                    {
-                        const Eigen::Vector3d point = (axis < 3 ? radius : -radius) * Eigen::Vector3d::Unit(axis % 3);
-                        const double way = steps * (b * point - a * point).norm();
-                        ASSERT_LE(way, bound.at(radius) * (1 + 1e-9) + 1e-10);
-                        truth = std::max(truth, way);
-                    }
-                }
-                if (truth > 1e-6)
-                {
-                    sum += bound.at(radius) / truth;
-                    n += 1.0;
-                }
-            };
-            for (std::size_t k = 0; k < count; ++k)
-                compare(
-                    bounds[k], arm.getBodies()[k].getBoundingRadius(),
-                    [&](int i) { return poses[static_cast<std::size_t>(i)][k]; }, tightness.bodies, tightness.count);
-            for (std::size_t p = 0; p < pairs.size(); ++p)
-                for (const bool swapped : {false, true})
-                {
-                    const std::size_t seen = swapped ? pairs[p].second : pairs[p].first,
-                                      observer = swapped ? pairs[p].first : pairs[p].second;
-                    compare(
-                        swapped ? pairBounds[p].second : pairBounds[p].first, arm.getBodies()[seen].getBoundingRadius(),
-                        [&](int i)
-                        {
-                            const std::vector<Pose> &now = poses[static_cast<std::size_t>(i)];
-                            return Pose(now[observer].inverse() * now[seen]);
-                        },
-                        tightness.pairs, tightness.pairCount);
-                }
+            expectBoundsOf(arm, from.get(), to.get(), tightness);
         }
         return tightness;
     }
@@ -98,6 +120,37 @@ TEST(Arm, NoPointMovesFartherThanItsBound)
         if (HasFatalFailure())
             FAIL() << "seed " << seed;
     }
+}
+
+/** Axes that meet in a point: no point's way tells how far the last link turns. */
+TEST(Arm, NoWristTurnsFartherThanItsBound)
+{
+    KinematicTree tree("base");
+    const Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    tree.addLink("base", joint("a", JointType::REVOLUTE, center, Eigen::Vector3d::UnitZ()), "one");
+    tree.addLink("one", joint("b", JointType::REVOLUTE, center, Eigen::Vector3d::UnitY()), "two");
+    tree.addLink("two", joint("c", JointType::REVOLUTE, center, Eigen::Vector3d::UnitZ()), "hand",
+                 Body::box(1.0, 0.1, 0.1));
+    expectBoundsOf(Arm("arm", tree, {"a", "b", "c"}, {}), {-1.5, -1.5, 1.5}, {1.5, 1.5, -1.5});
+}
+
+/** Users may check states beyond the limits, where links reach farther than within. */
+TEST(Arm, NoPointMovesFartherThanItsBoundBeyondTheLimitsEither)
+{
+    const Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    KinematicTree turning("base");
+    turning.addLink("base", joint("turn", JointType::REVOLUTE, center), "one");
+    KinematicTree sliding = turning, planar = turning;
+    sliding.addLink("one", joint("slide", JointType::PRISMATIC, center, Eigen::Vector3d::UnitX(), 0.0, 1.0), "two",
+                    Body::sphere(0.1));
+    expectBoundsOf(Arm("sliding", sliding, {"turn", "slide"}, {}), {-0.5, 5.0}, {0.5, 5.0});
+
+    planar.addLink("one", joint("plane", JointType::PLANAR, center), "two", Body::sphere(0.1));
+    ArmOptions options;
+    options.bounds = ob::RealVectorBounds(2);
+    options.bounds->setLow(-1.0);
+    options.bounds->setHigh(1.0);
+    expectBoundsOf(Arm("planar", planar, {"turn", "plane"}, options), {-0.5, 5.0, 0.0, 0.0}, {0.5, 5.0, 0.0, 0.0});
 }
 
 TEST(Arm, BoundsAreTight)

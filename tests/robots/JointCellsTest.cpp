@@ -272,6 +272,22 @@ TEST(JointCells, OfArmsNameAllThatMovesOneLinkRelativeToAnother)
     EXPECT_GT(checked, scaled(200));
 }
 
+/** Its own limits do not hold a slide that follows another. The base lies so far off that the ball's way counts. */
+TEST(JointCells, OfArmsReachAsFarAsTheLeaderOfASlideTakesIt)
+{
+    KinematicTree tree("base", Body({{Shape::ball(3, 0.1), poseAt({6.0, 0.0, 0.0})}}));
+    tree.addLink("base", joint("leader", JointType::PRISMATIC, {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}, 0.0, 1.0), "slide");
+    tree.addLink("base", joint("turn", JointType::REVOLUTE, {0.0, 0.0, 0.0}), "turning");
+    KinematicTree::Joint follower = joint("follower", JointType::PRISMATIC, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0, 0.1);
+    follower.mimic = KinematicTree::Mimic{"leader", 3.0, 0.0};
+    tree.addLink("turning", follower, "ball", Body::sphere(0.1));
+    const auto cells = Arm("arm", tree, {"leader", "turn"}, allPairs(tree)).getJointCells(0);
+    ASSERT_TRUE(cells);
+    ASSERT_EQ(cells->getCoordinates().size(), 2U);
+    for (const JointCells::Coordinate &one : cells->getCoordinates())
+        EXPECT_GE(one.reach, one.index == 0 ? 3.0 : 3.1);
+}
+
 TEST(JointCells, OfArmsAreThereForUpToThreeJoints)
 {
     const KinematicTree tree = sevenJoints();
@@ -326,6 +342,25 @@ TEST(JointCells, AreSharedByArmsWhoseLinksMoveAlike)
     EXPECT_NE(straight.getJointCells(last), arm.getJointCells(last));
     EXPECT_NE(angled.getJointCells(last), straight.getJointCells(last));
     EXPECT_EQ(Arm("again", tree, six, bent).getJointCells(last), angled.getJointCells(last));
+}
+
+/** The joint that has another value is before all that move, so that the base alone sees the difference. */
+TEST(JointCells, AreNotSharedByArmsThatStandElsewhereOnTheirBase)
+{
+    KinematicTree tree("base", Body::box(7.0, 7.0, 7.0));
+    tree.addLink("base", joint("extension", JointType::PRISMATIC, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0, 10.0), "foot");
+    tree.addLink("foot", joint("turn", JointType::REVOLUTE, {0.0, 0.0, 0.0}), "link",
+                 Body({{Shape::box(Eigen::Vector3d(0.2, 0.2, 0.2)), poseAt({0.3, 0.0, 0.0})}}));
+    const auto cellsAt = [&](double extension)
+    {
+        ArmOptions options = allPairs(tree);
+        options.jointValues["extension"] = extension;
+        return Arm("arm", tree, {"turn"}, options).getJointCells(0);
+    };
+    const auto far = cellsAt(6.0), near = cellsAt(3.4);
+    ASSERT_TRUE(far && near);
+    EXPECT_NE(far, near);
+    EXPECT_EQ(cellsAt(6.0), far);
 }
 
 TEST(JointCells, OfSomeHundredPairsAreRemembered)
