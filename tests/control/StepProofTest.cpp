@@ -79,9 +79,9 @@ namespace
         oc::Control *const control;
     };
 
-    std::shared_ptr<const DynamicRobot> fastDisc()
+    std::shared_ptr<const DynamicRobot> fastDisc(const std::string &name = "disc")
     {
-        return Integrator::firstOrder(RigidRobot::disc("disc", 0.1, within({3.0, 3.0})), within({10.0, 10.0}));
+        return Integrator::firstOrder(RigidRobot::disc(name, 0.1, within({3.0, 3.0})), within({10.0, 10.0}));
     }
 
     /** A disc whose state begins with a heading that turns nothing */
@@ -273,4 +273,51 @@ TEST(StepProof, KeepsRobotsOutOfTheirZones)
         trials.set(state, {10.0, 0.0});
         EXPECT_TRUE(trials.isFree(0.16));
     }
+}
+
+/** The other one rushes through the robot, which stands, and is out of its way at both ends of the step. */
+TEST(StepProof, OfOneRobotFollowsTheOthersThatItNames)
+{
+    TeamControlSetup setup(teamOf({fastDisc(), fastDisc("other")}), boxes({}), Method::SHARED_PROJECTION,
+                           CertificateMotionValidator::CONTINUOUS);
+    const auto &si = setup.getSpaceInformation();
+    si->setup();
+    const auto &propagator = static_cast<const TeamPropagator &>(*si->getStatePropagator());
+    oc::Control *control = si->allocControl();
+    const std::vector<double> speeds{0.0, 0.0, 10.0, 0.0};
+    std::copy(speeds.begin(), speeds.end(), control->as<oc::RealVectorControlSpace::ControlType>()->values);
+    ob::ScopedState<> from(si);
+    for (const double y : {0.0, 0.5})
+    {
+        from = std::vector<double>{0.0, 0.0, -0.5, y};
+        EXPECT_EQ(propagator.isRobotStepFree(*setup.getTeamChecker(), from.get(), control, 0.1, 0, {1}), y > 0.0);
+    }
+    si->freeControl(control);
+}
+
+/** The trailer swings against its car faster than between two states that are interpolated. */
+TEST(StepProof, SeesATrailerThatSwingsAgainstItsCar)
+{
+    const auto shape = std::make_shared<CarWithTrailer>("train", Body::box(0.4, 0.3), Body::box(0.4, 0.3), 0.43,
+                                                        within({3.0, 3.0}), true);
+    const auto train = Car::withTrailer(shape, within({10.0, 1.5}), 0.25, 3.1);
+    StepTrials trials(train), samples(train, CertificateMotionValidator::DISCRETE);
+    unsigned int touching = 0, proved = 0;
+    for (double hinge = 0.0; hinge < 2.9; hinge += 0.05)
+        for (const double speed : {-1.0, 1.0})
+            for (const double duration : {0.05, 0.1, 0.2, 0.4})
+            {
+                const std::vector<double> state{1.5, 0.0, 0.0, hinge}, controls{speed, 1.0};
+                samples.set(state, controls);
+                bool touches = false;
+                for (int i = 0; i <= 50 && !touches; ++i)
+                    touches = !samples.isAccepted(duration * i / 50);
+                trials.set(state, controls);
+                const bool isProved = trials.isFree(duration);
+                ASSERT_FALSE(touches && isProved) << hinge << ", " << speed << " m/s for " << duration << " s";
+                touching += touches ? 1 : 0;
+                proved += isProved ? 1 : 0;
+            }
+    EXPECT_GT(touching, 20U);
+    EXPECT_GT(proved, 20U);
 }
