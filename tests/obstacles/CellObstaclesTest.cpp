@@ -271,6 +271,21 @@ TEST(CellObstacles, HaveNoGapBeyondTheirDistanceFarAway)
     EXPECT_GT(apart, 1000U);
 }
 
+/** Of two parts, since one alone is looked up otherwise. */
+TEST(CellObstacles, InThePlaneMeetMeshesAtAnyHeight)
+{
+    const CellObstacles obstacles(0.1, {{{0, 0, 0}, {3, 3, 0}}}, 2);
+    const auto triangle = std::make_shared<TriangleMesh>(
+        std::vector<Eigen::Vector3d>{{-0.2, -0.2, 0.0}, {0.2, -0.2, 0.0}, {0.0, 0.2, 0.0}},
+        std::vector<TriangleMesh::Triangle>{{0, 1, 2}});
+    const Body body({{Body::planarMesh(triangle).getParts()[0].shape, poseAt({0.0, 0.0, 5.0})},
+                     {Shape::ball(2, 0.05), poseAt({3.0, 3.0, 0.0})}});
+    EXPECT_TRUE(obstacles.collides(body, planarPose(0.15, 0.15)));
+    EXPECT_FALSE(obstacles.staysFree(body, planarPose(0.15, 0.15), 0.1));
+    EXPECT_FALSE(obstacles.collides(body, planarPose(0.15, 1.15)));
+    EXPECT_TRUE(obstacles.staysFree(body, planarPose(0.15, 1.15), 0.1));
+}
+
 TEST(CellObstacles, AreKnownByTheirCells)
 {
     const std::vector<CellBox> one{{{0, 0, 0}, {2, 1, 1}}}, two{{{1, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}},

@@ -242,3 +242,25 @@ TEST(FclObstacles, WithoutWidthAreCheckedInFiniteTime)
     const FclObstacles obstacles({{capsule, ofCapsule}}, 3);
     EXPECT_FALSE(obstacles.collides(Body::cylinder(7.2936120514323799e-14, 6.7977885072217717e-14), ofCylinder));
 }
+
+/** So many boxes that not all of them are compared. */
+TEST(FclObstacles, HaveNoGapBeyondTheirDistanceHoweverManyAreNear)
+{
+    const Body cube = Body::box(0.2, 0.2, 0.2);
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        std::vector<PlacedBody> bodies;
+        for (int i = 0; i < 60; ++i)
+            bodies.push_back({Body::box(0.05, 0.05, 0.05), poseAt(random.uniform(0.5, 1.0) * random.direction(3))});
+        const FclObstacles obstacles(bodies, 3);
+        double low = 0.0, high = 2.0;
+        while (high - low > 1e-9)
+        {
+            const double middle = 0.5 * (low + high);
+            (obstacles.staysFree(cube, Pose::Identity(), middle) ? low : high) = middle;
+        }
+        EXPECT_LE(obstacles.gap(cube, Pose::Identity(), 0.001, 2.0), low + 1e-6);
+    }
+}
