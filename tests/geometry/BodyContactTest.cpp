@@ -61,3 +61,19 @@ TEST(BodyContact, SaysWhatStaysTrueUpToTheMargin)
     EXPECT_GT(answers[0], scaled(400));
     EXPECT_GT(answers[2], scaled(400));
 }
+
+/** Cubes overlap by half, since balls inside prove nothing of one that the other contains. Shifts that leave out the
+    pose of a part, or of both, must not count. */
+TEST(BodyContact, IsDeepWhereThePartsOfBothBodiesAre)
+{
+    const Shape cube = Body::mesh(boxMesh({1.0, 1.0, 1.0})).getParts()[0].shape;
+    const Body first({{cube, poseAt({0.0, 5.0, 0.0})}}), second({{cube, poseAt({3.0, 0.0, 0.0})}});
+    EXPECT_TRUE(touchDeeply(first, second, poseAt({-2.5, 5.0, 0.0}), 0.1));
+    EXPECT_TRUE(touchDeeply(second, first, poseAt({2.5, -5.0, 0.0}), 0.1));
+    for (const Eigen::Vector3d &apart :
+         {Eigen::Vector3d(0.5, 0.0, 0.0), Eigen::Vector3d(0.5, 5.0, 0.0), Eigen::Vector3d(-2.5, 0.0, 0.0)})
+    {
+        EXPECT_FALSE(touchDeeply(first, second, poseAt(apart), 0.1)) << apart.transpose();
+        EXPECT_FALSE(touchDeeply(second, first, poseAt(-apart), 0.1)) << apart.transpose();
+    }
+}
