@@ -2,6 +2,7 @@
 #include "support/ErrorsOnly.h"
 #include "support/Message.h"
 
+#include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
 
 #include <gtest/gtest.h>
@@ -272,3 +273,28 @@ TEST_P(Motions, LeaveAValidatorThatOutlivesItsSetup)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, Motions, testing::Range(0U, TEAMS));
+
+/** Obstacles tell the gap of a mesh. Its center stands, so that only the way of its tips says how long that lasts. */
+TEST(MotionsOfABar, EndWhereItsTipMeetsAnObstacleAsItTurns)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::inSE3("bar", Body::mesh(boxMesh({2.0, 0.1, 0.1})), cubeBounds(3, HALF)));
+    const std::vector<PlacedBody> box{{Body::box(0.1, 0.1, 0.1), poseAt({0.85, 0.35, 0.0})}};
+    const std::vector<CellBox> cell{{{8, 3, 0}, {9, 4, 1}}};
+    for (const ObstaclesPtr &obstacles : {ObstaclesPtr(std::make_shared<FclObstacles>(box, 3)),
+                                          ObstaclesPtr(std::make_shared<CellObstacles>(0.1, cell))})
+    {
+        const Checkers checkers(team, obstacles, 0.002);
+        for (const auto &setup : checkers.setups)
+        {
+            SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
+            setup->getTeamChecker()->setAdaptive(false);
+            ob::ScopedState<> from(team), to(team);
+            from = std::vector<double>{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+            to = std::vector<double>{0.0, 0.0, 0.0, 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)};
+            EXPECT_TRUE(setup->getTeamChecker()->isValid(from.get()));
+            EXPECT_TRUE(setup->getTeamChecker()->isValid(to.get()));
+            EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get()));
+        }
+    }
+}

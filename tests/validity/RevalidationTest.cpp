@@ -212,6 +212,25 @@ TEST_F(Revalidating, FindsTheMotionsOfAPathThatMeetNewPoints)
         EXPECT_EQ(reference(i), references[i]);
 }
 
+/** No sample of the motion meets the new box but its start. */
+TEST_F(Revalidating, FindsMotionsThatStartInANewObstacle)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("disc", 0.1, cubeBounds(2, HALF)));
+    ObstacleSet set(2);
+    TeamSetup setup(team, set.takeChange().after);
+    setup.getSpaceInformation()->setStateValidityCheckingResolution(0.5);
+    setup.getSpaceInformation()->setup();
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{0.0, 0.0};
+    to = std::vector<double>{0.3, 0.0};
+    set.add({Body::box(0.05, 0.05), planarPose(0.0, 0.0)});
+    const Revalidation revalidation(*setup.getTeamChecker(), set.takeChange(), CertificateMotionValidator::DISCRETE);
+    EXPECT_FALSE(revalidation.staysValid(from.get(), to.get()));
+    EXPECT_FALSE(revalidation.staysValid(to.get(), from.get()));
+    EXPECT_TRUE(revalidation.staysValid(to.get(), to.get()));
+}
+
 TEST_F(Revalidating, KeepsToTheContinuousMode)
 {
     // A thin new wall that hides between two samples

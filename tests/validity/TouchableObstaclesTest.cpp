@@ -174,6 +174,29 @@ TEST_F(TouchableObstacles, StillMakeANumberThatIsNoneInvalid)
     }
 }
 
+/** A copy of a state that is known free has its certificates, which settle all links but the last. */
+TEST_F(TouchableObstacles, StillMakeANumberThatIsNoneInvalidNextToAStateThatIsKnown)
+{
+    ArmOptions options;
+    options.mayTouchObstacles = {"link7"};
+    const auto team = teamWith(std::make_shared<const Arm>("arm", sevenJoints(), SEVEN, options));
+    const std::vector<PlacedBody> farBox{{Body::box(0.1, 0.1, 0.1), poseAt({3.0, 0.0, 0.0})}};
+    const Checkers checkers(team, std::make_shared<FclObstacles>(farBox, 3));
+    for (const auto &setup : checkers.setups)
+    {
+        TeamValidityChecker &checker = *setup->getTeamChecker();
+        SCOPED_TRACE(nameOf(checker.getMethod()));
+        checker.setAdaptive(false);
+        ob::ScopedState<> state(team), broken(team);
+        state = std::vector<double>(7, 0.2);
+        EXPECT_TRUE(checker.isValid(state.get()));
+        broken = state;
+        EXPECT_TRUE(checker.isValid(broken.get()));
+        *team->getValueAddressAtIndex(broken.get(), 6) = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_FALSE(checker.isValid(broken.get()));
+    }
+}
+
 TEST_F(TouchableObstacles, AreNoneForTheBasicMethodsCertificates)
 {
     // The certificates of such a body would not be true.
