@@ -476,7 +476,7 @@ class Checker:
     def find_blocked(self, path: ArrayLike) -> NDArray[np.int64]:
         """Which motions of a path, with a state in each row, are blocked, or begin or end in a state that is: numbers i
         of motions from row i to row i + 1, of shape (n,), none if the path is free. Of a path of one state, 0. All of
-        it is checked among the same obstacles, also while other threads change them."""
+        it is checked among the same obstacles: changes by other threads wait for it, and so does Ctrl-C."""
     def distance(self, starts: ArrayLike, ends: ArrayLike) -> Any:
         """How far each end is from its start, in the team's own distance, for planners of your own: what plan() counts
         as length, whatever is in between. For arrays of shape (n, coordinates) an array of shape (n,), for two states a
@@ -487,9 +487,9 @@ class Checker:
         one number. One state, or one number, serves for many. Rows of NaN where a number is not finite."""
     def describe_collision(self, state: ArrayLike) -> str:
         """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
-        of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,
-        by their numbers. Of a collision each call takes time in proportion to all obstacles, so ask is_valid() about
-        many states."""
+        of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1, added grid 2 or
+        added map 3, by their numbers. Of a collision each call takes time in proportion to all obstacles, so ask
+        is_valid() about many states."""
     def prove(self, path: ArrayLike) -> Proof:
         """Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also between its
         states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see
@@ -560,9 +560,9 @@ class Checker:
         heights: Optional[Numbers] = None,
         origin: Numbers = (),
     ) -> None:
-        """Let a map have the cells of another octomap alone, all at once: the next message of the same map.
-        Certificates stay where both are alike. The resolution must be the map's, and so must the origin. Time goes with
-        all cells of the map. Where it raises an Error, nothing has changed."""
+        """Let a map have the cells of another octomap alone, all at once: the next message of the same map. The cells
+        must be as large as before, from the same origin on. From the second such change on, certificates stay where
+        both are alike. Time goes with all cells of the map. Where it raises an Error, nothing has changed."""
     def remove_grid(self, grid: Whole) -> None:
         """Remove a grid or a map. No other one gets its number."""
     def grid_cells(self, grid: Whole) -> NDArray[np.int64]:
