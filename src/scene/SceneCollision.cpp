@@ -92,8 +92,12 @@ namespace ompl_certificates
         const unsigned int count = team->getRobotCount();
         const auto *components = state->as<TeamStateSpace::StateType>()->components;
         const ObstaclesPtr obstacles = scene.makeObstacles();
+        // Another thread may set up the team's space, whose parameters a SpaceInformation reads.
+        const auto own = std::make_shared<TeamStateSpace>();
+        for (unsigned int i = 0; i < count; ++i)
+            own->addRobot(team->getRobots()[i]);
         // First of all, since threads share what it prepares of large meshes.
-        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
+        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(own), obstacles, Method::STANDARD);
         std::vector<std::vector<Pose>> poses;
         for (unsigned int i = 0; i < count; ++i)
         {

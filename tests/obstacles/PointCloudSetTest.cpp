@@ -296,6 +296,37 @@ TEST(PointCloudSet, AFrameThatReplacesAllIsNotCopied)
     EXPECT_EQ(pointsOf(last.added), sorted(Points(third.begin(), third.end() - 1)));
 }
 
+/** Of many points that are replaced, all or few or none may be there again; the set looks closely if it is likely. */
+TEST(PointCloudSet, TellsTheClearancesOfFramesThatShareSomePoints)
+{
+    constexpr std::size_t count = 5000;
+    for (const std::size_t shared : {std::size_t(0), std::size_t(3), count / 2, count})
+    {
+        Random random(shared + 1);
+        PointCloudSet set(0.01);
+        Points frame;
+        for (std::size_t i = 0; i < count; ++i)
+            frame.push_back(random.point(3, 5.0));
+        set.insert(frame);
+        set.insert({Eigen::Vector3d(9.0, 9.0, 9.0)});
+        const ObstaclesPtr before = set.takeChange().after;
+        set.remove(frame);
+        for (std::size_t i = shared; i < count; ++i)
+            frame[i] = random.point(3, 5.0);
+        set.insert(frame);
+        const ObstacleChange change = set.takeChange();
+        // Where all are the same, nothing comes or goes.
+        EXPECT_EQ(change.added == nullptr, shared == count);
+        EXPECT_EQ(change.removed == nullptr, shared == count);
+        for (int i = 0; i < 500; ++i)
+        {
+            const Eigen::Vector3d point = i < 100 ? frame[static_cast<std::size_t>(i)] : random.point(3, 6.0);
+            ASSERT_EQ(change.clearance(point, before->clearance(point)), change.after->clearance(point))
+                << shared << " shared, " << point.transpose();
+        }
+    }
+}
+
 TEST(PointCloudSet, RefusesWhatMakesNoSense)
 {
     EXPECT_THROW(PointCloudSet(RADIUS, 4), ompl::Exception);
