@@ -90,6 +90,62 @@ TEST_F(TeamPathSimplifierTest, LeavesNoStatesThatRepeatButForRounding)
     }
 }
 
+namespace
+{
+    /** Refuses motions from a state that lead away from it at once, as if there were only one way out. */
+    class OneWayOut : public ob::MotionValidator
+    {
+    public:
+        OneWayOut(const ob::SpaceInformationPtr &si, const ob::State *start)
+          : MotionValidator(si), validator_(si->getMotionValidator()), start_(start)
+        {
+        }
+
+        bool checkMotion(const ob::State *from, const ob::State *to) const override
+        {
+            const bool leaves = si_->equalStates(from, start_) && si_->distance(from, to) > 1e-6;
+            return !leaves && validator_->checkMotion(from, to);
+        }
+
+        bool checkMotion(const ob::State *from, const ob::State *to,
+                         std::pair<ob::State *, double> &lastValid) const override
+        {
+            return checkMotion(from, to) || validator_->checkMotion(from, to, lastValid);
+        }
+
+    private:
+        ob::MotionValidatorPtr validator_;
+        const ob::State *start_;
+    };
+}
+
+TEST_F(TeamPathSimplifierTest, LeavesStatesThatRepeatWhereThePathNeedsThem)
+{
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 4, 4.0, 5);
+        setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+        const og::PathGeometric &found = setup->getSolutionPath();
+        og::PathGeometric path(si, found.getState(0));
+        ob::ScopedState<> almost(setup->getStateSpace()), start(setup->getStateSpace());
+        start = found.getState(0);
+        si->getStateSpace()->interpolate(found.getState(0), found.getState(1), 1e-13, almost.get());
+        path.append(almost.get());
+        for (unsigned int i = 1; i < found.getStateCount(); ++i)
+            path.append(found.getState(i));
+        si->setMotionValidator(std::make_shared<OneWayOut>(si, start.get()));
+        ASSERT_TRUE(path.check());
+        TeamPathSimplifier simplifier(si, objectiveOf(*setup, "length"));
+        ASSERT_TRUE(simplifier.simplify(path, 200, ob::plannerNonTerminatingCondition()));
+        EXPECT_TRUE(path.check());
+        EXPECT_LT(si->distance(path.getState(0), path.getState(1)), 1e-6);
+    }
+}
+
 TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)
 {
     auto team = std::make_shared<TeamStateSpace>();
