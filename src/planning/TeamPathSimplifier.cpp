@@ -59,11 +59,11 @@ namespace ompl_certificates
                 const bool isInPlace = !moves && kept.size() > 1;
                 const ob::State *previous = isInPlace ? kept[kept.size() - 2] : kept.back();
                 const bool isAsBefore = moves && skipped == 0;
-                if (isAsBefore || si->checkMotion(previous, state))
-                    kept.resize(kept.size() - (isInPlace ? 1 : 0));
-                else
+                if (!isAsBefore && !si->checkMotion(previous, state))
                     for (std::size_t k = i - skipped; k < i; ++k)
                         kept.push_back(path.getState(static_cast<unsigned int>(k)));
+                else if (isInPlace)
+                    kept.pop_back();
                 kept.push_back(state);
                 skipped = 0;
             }

@@ -84,11 +84,12 @@ namespace ompl_certificates
                        const MoveItRobotState &start)
         {
             const KinematicTree &tree = arm.getTree();
-            const std::string no = "'" + name + "' is not a joint of the group";
+            const std::string notMoved = "'" + name + "' is not a joint of the group";
             if (!tree.hasJoint(name))
-                item.at("joint_name").fail(no + didYouMean(name, arm.getGroup()));
+                item.at("joint_name").fail(notMoved + didYouMean(name, arm.getGroup()));
             const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
-            const std::string why = robot.isPassive(name) ? no + ", since the SRDF file says that it is passive" : no;
+            const std::string why =
+                robot.isPassive(name) ? notMoved + ", since the SRDF file says that it is passive" : notMoved;
             if (coordinatesOf(joint.type) != 1)
                 item.at("joint_name").fail(why);
             const double value = hasEqualLimits(joint) ? joint.lower : moveItValue(start, tree, joint);

@@ -10,8 +10,8 @@ namespace ompl_certificates
 {
     /** \brief The occupied cells of a map as ROS's map_server has it
 
-        A YAML file names an image (.png, .pgm, .pbm or .ppm), its resolution, the origin of its lower left corner, and the
-        thresholds. Each pixel is a square cell of the plane. Dark ones are occupied, or bright ones if \c negate is 1.
+        A YAML file names an image (.png, .pgm, .pbm or .ppm), its resolution, the origin of its lower left corner, and
+        the thresholds. Each pixel is a square cell of the plane. Dark ones are occupied, or bright ones if \c negate is 1.
         Missing thresholds are those of map_server, 0.65 and 0.25. Pixels that are not wholly opaque are unknown in the
         mode \c scale; in the mode \c trinary opacity counts as a fourth color, as there.
         \param file the YAML file; the image is relative to its folder
