@@ -115,8 +115,14 @@ def test_what_is_removed_is_free_and_leaves_no_number(method: str) -> None:
         checker.remove_grid(scan)
     with pytest.raises(oc.Error, match=f"^cloud: number {grid} is a map of cells, not of points$"):
         checker.remove_cloud(grid)
+    checker.is_valid(states)
     checker.remove_cloud(scan)
     checker.remove_grid(grid)
+    # What is known of the rest stays, and is as if they had never been there.
+    known = checker.certificates()
+    outside = np.abs(known[:, :2] - 5).max(axis=1, initial=0) > 0.5
+    assert np.allclose(known[outside, 2], distances(known[outside, :2], points), atol=1e-4), f"seed {seed}"
+    assert method == "standard" or len(known) > 10
     assert (checker.is_valid(states) == before).all(), f"seed {seed}"
     for use in (checker.remove_cloud, checker.cloud_points):
         with pytest.raises(oc.Error, match=f"^cloud: there is none of number {scan}$"):

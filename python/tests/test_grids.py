@@ -190,6 +190,11 @@ def test_the_next_octomap_takes_the_place_of_the_last(scenes: pathlib.Path) -> N
     one = np.array([3 << 14] + 14 * [3] + [2], dtype="<u2").tobytes()
     checker.change_octomap(grid, one, 0.25)
     assert checker.grid_cells(grid).tolist() == [[0, 0, 0]]
+    known = checker.certificates()
+    away = np.abs(known[:, :3] - 0.125) - 0.125
+    outside = away.max(axis=1) > 0
+    assert outside.sum() > 10
+    assert np.allclose(known[outside, 3], np.linalg.norm(np.maximum(away[outside], 0), axis=1)), f"seed {seed}"
     small = hall(3)
     small.add_octomap(one, 0.25)
     assert (checker.is_valid(states) == oc.Checker(small).is_valid(states)).all()
