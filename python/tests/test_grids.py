@@ -176,9 +176,9 @@ def test_the_next_octomap_takes_the_place_of_the_last(scenes: pathlib.Path) -> N
     data = file.read_bytes().split(b"data\n", 1)[1]
     seed = 7
     states = np.random.default_rng(seed).uniform(-5, 10, (2000, 3))
-    known = hall(3)
-    known.add_octomap(data, 0.25)
-    expected = oc.Checker(known).is_valid(states)
+    scene = hall(3)
+    scene.add_octomap(data, 0.25)
+    expected = oc.Checker(scene).is_valid(states)
     checker = oc.Checker(hall(3))
     checker.set_adaptive(False)
     free_at_first = checker.is_valid(states)
