@@ -1,5 +1,6 @@
 #include "demos/Program.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ompl/config.h>
@@ -67,8 +68,12 @@ TEST_F(ExperimentTools, tablesFiguresAndReportShowWhatWasMeasured)
     ASSERT_EQ(answer.code, 0) << answer.text;
     const auto trial = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-shared-t0002.json"));
     const auto standard = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-fcl-t0002.json"));
+    // Beside other programs the clock may count more in the checks than the processor does in all.
     const auto at100 = [](const nlohmann::json &of)
-    { return last(of, "processor_seconds") + 99.0 * last(of, "obstacle_seconds"); };
+    {
+        const double checks = last(of, "obstacle_seconds");
+        return std::max(0.0, last(of, "processor_seconds") - checks) + 100.0 * checks;
+    };
     std::istringstream lines(contentOf(tables + "/records.csv"));
     std::string line;
     std::getline(lines, line);
