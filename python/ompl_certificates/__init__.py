@@ -111,6 +111,16 @@ def _require_options(
             _require_kind("parameters", name, str, "a dict from names to values, and names must be texts")
 
 
+def _require_world(scene: object, method: Optional[str], motion: Optional[str]) -> None:
+    """Raise an Error for what cannot be planned in."""
+    if not isinstance(scene, (Scene, Checker)):
+        raise Error(f"scene: must be a Scene or a Checker, not a {type(scene).__name__}")
+    if isinstance(scene, Checker):
+        for name, value in (("method", method), ("motion", motion)):
+            if value is not None:
+                raise Error(f"{name}: a Checker has its own")
+
+
 def plan(
     scene: Union[Scene, Checker],
     planner: Optional[str] = None,
@@ -153,14 +163,10 @@ def plan(
     by then is not lost: it is the exception's attribute plan.
     """
     _require_options(planner, time, iterations, seed, parameters)
+    _require_world(scene, method, motion)
     if isinstance(scene, Checker):
-        for name, value in (("method", method), ("motion", motion)):
-            if value is not None:
-                raise Error(f"{name}: a Checker has its own")
         checker = scene
     else:
-        if not isinstance(scene, Scene):
-            raise Error(f"scene: must be a Scene or a Checker, not a {type(scene).__name__}")
         checker = Checker(
             scene,
             "shared" if method is None else method,
@@ -183,14 +189,14 @@ def plan(
 
 
 def plan_controls(
-    scene: Scene,
+    scene: Union[Scene, Checker],
     planner: Optional[str] = None,
-    method: str = "shared",
+    method: Optional[str] = None,
     time: Number = 10.0,
     seed: Whole = 1,
     callback: Optional[Callable[[float, float], object]] = None,
     *,
-    motion: str = "discrete",
+    motion: Optional[str] = None,
     goal_tolerance: Number = 0.5,
     iterations: Optional[Whole] = None,
     nearest: str = "kdtree",
@@ -202,12 +208,14 @@ def plan_controls(
     max_steps: Whole = 10,
     simplify: bool = False,
 ) -> ControlPlan:
-    """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
+    """Plan by controls for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
+
+    All robots must have dynamics, such as Robot.unicycle().
 
     planner: one of control_planner_names(); by default PrioritizedRRT for several robots, which plans robot by robot,
         and RRT for one
     motion: discrete checks the states at the ends of steps, continuous proves each step free between them; limits are
-        checked at the ends in both
+        checked at the ends in both. By default discrete; a Checker has its own.
     goal_tolerance: how far from the goal the team may end, in its space's distance (docs/controls.md)
     nearest: what RRT and SST look for near states in, kdtree or gnat
     parameters: of the planner, such as {"goal_bias": 0.1}; control_planner_parameters() names them
@@ -216,26 +224,27 @@ def plan_controls(
     simplify: shorten the solution's time, robot by robot, for at most as long again; robots then end at the goal itself
         where that is found, not only near it
 
-    method, time, seed, callback, iterations, start and goal are as of plan(). So is what it does with threads and
-    Ctrl-C.
+    start, goal: of shape (coordinates,), in place of those of the scene, also of that of the Checker
+
+    method, time, seed, callback and iterations are as of plan(). So is what it does with threads and Ctrl-C.
     """
-    if not isinstance(scene, Scene):
-        raise Error(f"scene: must be a Scene, not a {type(scene).__name__}")
     _require_options(planner, time, iterations, seed, parameters)
+    _require_world(scene, method, motion)
     # A control is held to its end, whatever the time: more would not end in time, and Ctrl-C would wait.
     _require_range("max_steps", max_steps, 10**6)
     _require_range("min_steps", min_steps, max_steps)
     for name, value in (("goal_tolerance", goal_tolerance), ("step", step)):
         _require_kind(name, value, (int, float, np.integer, np.floating), "a number")
     return _plan_controls(
-        scene,
+        scene if isinstance(scene, Scene) else None,
+        scene if isinstance(scene, Checker) else None,
         planner or "",
-        method,
+        "shared" if method is None else method,
         time,
         iterations or 0,
         seed,
         callback,
-        motion,
+        "discrete" if motion is None else motion,
         goal_tolerance,
         nearest,
         dict(parameters or {}),

@@ -75,8 +75,10 @@ namespace ompl_certificates_python
     {
         const auto team = std::static_pointer_cast<TeamStateSpace>(plan.setup->getStateSpace());
         return reportProof(plan, findProof(solutionOf(plan), plan.setup->getTeamChecker(),
-                                           [&](const ob::State *state)
-                                           { return plan.scene->describeCollision(team, state); }));
+                                           [&](const ob::State *state) {
+                                               return plan.checker ? plan.checker->describeCollision(state)
+                                                                   : plan.scene->describeCollision(team, state);
+                                           }));
     }
 
     namespace

@@ -11,6 +11,8 @@
 
 namespace ompl_certificates_python
 {
+    class Checker;
+
     /** \brief What came of a plan by controls. Its path has a state for each step. */
     struct ControlPlan : Outcome
     {
@@ -22,11 +24,12 @@ namespace ompl_certificates_python
         /** \brief Its states are those of path; null without a solution */
         std::shared_ptr<const ompl::control::PathControl> solution;
 
-        /** \brief What the planner needs to live */
+        /** \brief What the planner needs to live; without a checker it was planned in the scene alone */
         ompl_certificates::TeamControlSetupPtr setup;
+        std::shared_ptr<const Checker> checker;
     };
 
-    /** \brief Prove the solution, and report what is found.
+    /** \brief Prove the solution, with a checker among its obstacles as they are now, and report what is found.
         \throws ompl::Exception if there is no path */
     Proof prove(ControlPlan &plan);
 

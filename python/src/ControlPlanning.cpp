@@ -98,10 +98,31 @@ namespace ompl_certificates_python
             return result;
         }
 
-        TeamControlSetupPtr makeSetup(const Scene &scene, const ControlOptions &options)
+        /** A setup with what \e checker knows, for the ends of \e scene, which has its obstacles */
+        TeamControlSetupPtr makeSetupWith(const Checker &checker, const Scene &scene, const ControlOptions &options)
         {
+            auto setup =
+                std::make_shared<TeamControlSetup>(checker.getSetup().getTeamChecker(), modeOf(options.motion));
+            const auto team = std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace());
+            const ob::ScopedState<> start = scene.makeStart(team), goal = scene.makeGoal(team);
+            setup->setStartAndGoalStates(start, goal, options.goalTolerance);
+            const ob::SpaceInformation &si = *setup->getSpaceInformation();
+            const auto isFree = [&si](const ob::State *state)
+            { return si.satisfiesBounds(state) && si.isValid(state); };
+            // It says what is wrong, but takes FCL's copies of all meshes.
+            if (!isFree(start.get()) || !isFree(goal.get()))
+                scene.validate();
+            return setup;
+        }
+
+        TeamControlSetupPtr makeSetup(const Checker *checker, const Scene &scene, const ControlOptions &options)
+        {
+            if (!checker)
+                scene.validate();
             TeamControlSetupPtr setup =
-                scene.makeControlSetup(options.goalTolerance, methodOf(options.method), modeOf(options.motion));
+                checker
+                    ? makeSetupWith(*checker, scene, options)
+                    : scene.makeControlSetup(options.goalTolerance, methodOf(options.method), modeOf(options.motion));
             setup->getSpaceInformation()->setPropagationStepSize(options.step);
             setup->getSpaceInformation()->setMinMaxControlDuration(options.minSteps, options.maxSteps);
             setup->setPlanner(makeControlPlanner(options.planner, setup->getSpaceInformation()));
@@ -147,23 +168,31 @@ namespace ompl_certificates_python
             return interrupt;
         }
 
-        ControlPlan planControls(const Scene &original, ControlOptions options, const py::object &start,
-                                 const py::object &goal)
+        /** Plan in \e original, or, if there is a checker, among the obstacles that it has now. */
+        ControlPlan planControls(const Scene &original, const std::shared_ptr<Checker> &checker,
+                                 ControlOptions options, const py::object &start, const py::object &goal)
         {
+            if (checker)
+            {
+                options.method = nameOf(checker->getSetup().getTeamChecker()->getMethod());
+                options.motion = checker->getMotion();
+            }
             requireSense(original, options);
+            const auto planning = checker ? checker->beginPlanning() : nullptr;
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
-            const auto scene = std::make_shared<const Scene>(withEnds(original, start, goal));
+            const auto scene = std::make_shared<const Scene>(
+                withEnds(checker ? checker->getScene(nullptr, nullptr) : original, start, goal));
             if (options.planner.empty())
                 options.planner = defaultControlPlanner(static_cast<unsigned int>(scene->getMembers().size()));
 
             ControlPlan plan;
             plan.scene = scene;
+            plan.checker = checker;
             {
                 // Large meshes take time.
                 const GilRelease release;
-                scene->validate();
-                plan.setup = makeSetup(*scene, options);
+                plan.setup = makeSetup(checker.get(), *scene, options);
             }
             setParameters(*plan.setup->getPlanner(), options);
             plan.planner = plan.setup->getPlanner();
@@ -208,13 +237,13 @@ namespace ompl_certificates_python
                    "The parameters of a planner of plan_controls(), as planner_parameters() tells them");
         module.def(
             "_plan_controls",
-            [](const Scene &scene, const std::string &planner, const std::string &method, double time,
-               std::uint64_t iterations, std::uint32_t seed, const py::object &callback, const std::string &motion,
-               double goalTolerance, const std::string &nearest, const std::map<std::string, py::object> &parameters,
-               const py::object &start, const py::object &goal, double step, unsigned int minSteps,
-               unsigned int maxSteps, bool simplified)
+            [](const Scene *scene, const std::shared_ptr<Checker> &checker, const std::string &planner,
+               const std::string &method, double time, std::uint64_t iterations, std::uint32_t seed,
+               const py::object &callback, const std::string &motion, double goalTolerance, const std::string &nearest,
+               const std::map<std::string, py::object> &parameters, const py::object &start, const py::object &goal,
+               double step, unsigned int minSteps, unsigned int maxSteps, bool simplified)
             {
-                return planControls(scene,
+                return planControls(scene ? *scene : checker->getOriginalScene(), checker,
                                     {{planner, time, iterations, seed, callback, parameters},
                                      method,
                                      motion,
@@ -226,9 +255,9 @@ namespace ompl_certificates_python
                                      simplified},
                                     start, goal);
             },
-            py::arg("scene"), py::arg("planner"), py::arg("method"), py::arg("time"), py::arg("iterations"),
-            py::arg("seed"), py::arg("callback"), py::arg("motion"), py::arg("goal_tolerance"), py::arg("nearest"),
-            py::arg("parameters"), py::arg("start"), py::arg("goal"), py::arg("step"), py::arg("min_steps"),
-            py::arg("max_steps"), py::arg("simplify"));
+            py::arg("scene"), py::arg("checker"), py::arg("planner"), py::arg("method"), py::arg("time"),
+            py::arg("iterations"), py::arg("seed"), py::arg("callback"), py::arg("motion"), py::arg("goal_tolerance"),
+            py::arg("nearest"), py::arg("parameters"), py::arg("start"), py::arg("goal"), py::arg("step"),
+            py::arg("min_steps"), py::arg("max_steps"), py::arg("simplify"));
     }
 }

@@ -1,5 +1,6 @@
 """Plans by controls"""
 
+import gc
 import json
 import math
 import os
@@ -184,6 +185,39 @@ def test_plans_are_asked_about_in_a_world_that_changed(yard: oc.Scene) -> None:
     assert plan.prove(checker).proved
     with pytest.raises(TypeError):
         plan.prove(yard)  # type: ignore[arg-type]
+
+
+def test_plans_with_a_checker_are_of_its_world(yard: oc.Scene) -> None:
+    options: Dict[str, Any] = {"goal_tolerance": 1.0, "time": 60, "iterations": 20000, "seed": 1}
+    checker = oc.Checker(yard, motion="continuous")
+    alone = oc.plan_controls(yard, motion="continuous", **options)
+    plan = oc.plan_controls(checker, **options)
+    assert plan.solved and plan.report["motion"] == "continuous" and plan.report["method"] == "shared"
+    assert np.array_equal(plan.path, alone.path)
+    # What it learned serves the next one, which finds the same.
+    known = checker.statistics()
+    again = oc.plan_controls(checker, **options)
+    assert np.array_equal(again.path, alone.path)
+    assert checker.statistics()["asked"] < known["asked"]
+    # A box in the way
+    at = len(plan.path) // 2
+    box = checker.add_obstacle(oc.Body.disc(0.3), plan.path[at][:2])
+    assert not plan.prove().proved
+    around = oc.plan_controls(checker, start=plan.path[0], **options)
+    assert around.solved and around.prove().proved
+    assert not np.array_equal(around.path, plan.path)
+    with pytest.raises(oc.Error, match=f"start.*added obstacle {box}"):
+        oc.plan_controls(checker, start=plan.path[at], **options)
+    assert oc.plan_controls(yard, motion="continuous", start=plan.path[at], **options).solved
+    with pytest.raises(oc.Error, match="^motion: a Checker has its own$"):
+        oc.plan_controls(checker, motion="discrete")
+
+
+def test_plans_with_a_checker_keep_it(yard: oc.Scene) -> None:
+    plan = oc.plan_controls(oc.Checker(yard), goal_tolerance=1.0, time=60, seed=1)
+    gc.collect()
+    assert plan.solved and np.allclose(plan.at(plan.cost), plan.path[-1])
+    assert plan.report["solved"] and "unproved_motions" in plan.report
 
 
 def test_steps_are_as_long_as_asked_for(yard: oc.Scene) -> None:

@@ -24,16 +24,38 @@ namespace ompl_certificates
                 return limited->getTeamChecker().get();
             return dynamic_cast<const TeamValidityChecker *>(checker);
         }
+
+        TeamStateSpacePtr teamSpaceOf(const std::shared_ptr<TeamValidityChecker> &checker)
+        {
+            if (!checker)
+                throw ompl::Exception("A TeamControlSetup needs a TeamValidityChecker");
+            auto space = std::dynamic_pointer_cast<TeamStateSpace>(checker->getTeam().getStateSpace());
+            if (!space)
+                throw ompl::Exception("A TeamControlSetup needs a checker whose space is a TeamStateSpace");
+            return space;
+        }
     }
 
     TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                                        CertificateMotionValidator::Mode mode)
       : SimpleSetup(TeamPropagator::makeControlSpace(team)), mode_(mode)
     {
+        useChecker(std::make_shared<TeamValidityChecker>(getSpaceInformation(), obstacles, method));
+    }
+
+    TeamControlSetup::TeamControlSetup(const std::shared_ptr<TeamValidityChecker> &checker,
+                                       CertificateMotionValidator::Mode mode)
+      : SimpleSetup(TeamPropagator::makeControlSpace(teamSpaceOf(checker))), mode_(mode)
+    {
+        useChecker(checker);
+    }
+
+    void TeamControlSetup::useChecker(std::shared_ptr<TeamValidityChecker> checker)
+    {
+        checker_ = std::move(checker);
         const auto propagator = std::make_shared<TeamPropagator>(getSpaceInformation());
         propagator_ = propagator.get();
-        checker_ = std::make_shared<TeamValidityChecker>(getSpaceInformation(), obstacles, method);
-        if (mode == CertificateMotionValidator::CONTINUOUS)
+        if (mode_ == CertificateMotionValidator::CONTINUOUS)
             propagator->requireProof(checker_);
         setStatePropagator(propagator);
         setStateValidityChecker(std::make_shared<LimitedValidityChecker>(checker_));

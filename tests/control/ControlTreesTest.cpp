@@ -127,6 +127,42 @@ TEST(ControlTreesTest, EqualUnderAllMethods)
         }
 }
 
+TEST(ControlTreesTest, AreThoseOfASetupThatSharesItsChecker)
+{
+    for (const Mode mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+    {
+        const auto first = makeSetup(Method::SHARED_PROJECTION, mode);
+        first->getTeamChecker()->setAdaptive(false);
+        const auto expected = treeOf(*first, "RRT", 1, 500);
+        const std::uint64_t asked = first->getStatistics().getCounts().asked;
+        EXPECT_GT(expected.size(), 50U);
+
+        TeamControlSetup second(first->getTeamChecker(), mode);
+        ob::ScopedState<> start(second.getStateSpace());
+        start = first->getProblemDefinition()->getStartState(0);
+        second.setStartState(start);
+        second.setGoal(first->getGoal());
+        second.getStatistics().reset();
+        EXPECT_EQ(treeOf(second, "RRT", 1, 500), expected);
+        EXPECT_LT(second.getStatistics().getCounts().asked, asked / 2);
+    }
+}
+
+TEST(ControlTreesTest, AreRefusedWithoutACheckerOfATeam)
+{
+    EXPECT_THROW(TeamControlSetup(std::shared_ptr<TeamValidityChecker>()), ompl::Exception);
+    const auto disc = RigidRobot::disc("disc", 0.1, within({1.0, 1.0}));
+    const ObstaclesPtr obstacles = boxes({{{0.0, 0.0, 0.1, 0.1}}});
+    const auto plain = std::make_shared<TeamValidityChecker>(
+        std::make_shared<ob::SpaceInformation>(disc->getStateSpace()), obstacles, std::vector<RobotPtr>{disc});
+    EXPECT_NE(messageOf([&] { TeamControlSetup setup(plain); }).find("TeamStateSpace"), std::string::npos);
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(disc);
+    const auto undriven =
+        std::make_shared<TeamValidityChecker>(std::make_shared<ob::SpaceInformation>(team), obstacles);
+    EXPECT_NE(messageOf([&] { TeamControlSetup setup(undriven); }).find("is no DynamicRobot"), std::string::npos);
+}
+
 TEST(ControlTreesTest, StayWithinLimits)
 {
     const auto setup = makeSetup(Method::SHARED_PROJECTION);

@@ -24,6 +24,12 @@ namespace ompl_certificates
                          Method method = Method::SHARED_PROJECTION,
                          CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
+        /** \brief A setup for the team of \e checker among the obstacles that it has, and what it knows of them: for
+            another plan, with another goal or after a change. What this plan learns serves the next one, too.
+            \throws ompl::Exception as above, and if \e checker is null or its space is no TeamStateSpace */
+        explicit TeamControlSetup(const std::shared_ptr<TeamValidityChecker> &checker,
+                                  CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+
         /** \brief Choose the structure in which RRT and SST search for near states. The default is a PlannerKdTree. It
             finds what a GNAT finds: trees are the same, but may differ where distances are exactly equal. Without it,
             most of a plan's time goes into the GNAT.
@@ -59,8 +65,8 @@ namespace ompl_certificates
             return simplifyTime_;
         }
 
-        /** \brief The validity checker of the team, which ignores limits: the one that this setup made, and proves
-            steps with, also if the space information has another one now */
+        /** \brief The validity checker of the team, which ignores limits: the one that this setup made or was given,
+            and proves steps with, also if the space information has another one now */
         const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
         {
             return checker_;
@@ -73,12 +79,15 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Put propagator and checkers in place. */
+        void useChecker(std::shared_ptr<TeamValidityChecker> checker);
+
         /** \brief Choose a planner if nobody has */
         void choosePlanner();
 
         const CertificateMotionValidator::Mode mode_;
         /** \brief The one that this setup made, which proves steps in continuous mode */
-        const ompl::control::StatePropagator *propagator_;
+        const ompl::control::StatePropagator *propagator_{nullptr};
         std::shared_ptr<TeamValidityChecker> checker_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};
         double simplifyTime_{0.0};
