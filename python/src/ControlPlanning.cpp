@@ -169,8 +169,8 @@ namespace ompl_certificates_python
         }
 
         /** Plan in \e original, or, if there is a checker, among the obstacles that it has now. */
-        ControlPlan planControls(const Scene &original, const std::shared_ptr<Checker> &checker,
-                                 ControlOptions options, const py::object &start, const py::object &goal)
+        ControlPlan planControls(const Scene &original, const std::shared_ptr<Checker> &checker, ControlOptions options,
+                                 const py::object &start, const py::object &goal)
         {
             if (checker)
             {

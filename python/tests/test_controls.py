@@ -344,9 +344,9 @@ def test_bad_problems_are_told_before_planning(yard: oc.Scene) -> None:
         oc.plan_controls(oc.Scene(LOW, HIGH))
 
 
-def test_controls_are_planned_for_scenes_alone(yard: oc.Scene) -> None:
-    with pytest.raises(oc.Error, match="^scene: must be a Scene, not a Checker$"):
-        oc.plan_controls(oc.Checker(yard))  # type: ignore[arg-type]
+def test_controls_are_planned_in_worlds_alone() -> None:
+    with pytest.raises(oc.Error, match="^scene: must be a Scene or a Checker, not a Body$"):
+        oc.plan_controls(oc.Body.disc(1))  # type: ignore[arg-type]
 
 
 def test_robots_need_dynamics_for_one_and_none_for_the_other(yard: oc.Scene, scenes: pathlib.Path) -> None:
