@@ -759,7 +759,8 @@ def control_planner_names() -> List[str]:
 def control_planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:
     """The parameters of a planner of plan_controls(), as planner_parameters() tells them"""
 def _plan_controls(
-    scene: Scene,
+    scene: Optional[Scene],
+    checker: Optional[Checker],
     planner: str,
     method: str,
     time: Number,
