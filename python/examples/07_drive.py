@@ -7,9 +7,9 @@ low, high = [0, 0], [8, 5]
 scene = oc.Scene(low, high, "yard")
 scene.add_obstacle(oc.Body.box(0.5, 2), (4, 2.5))
 scan = scene.add_cloud(np.empty((0, 2)), radius=0.05)
-for name, start, goal in (("first", [1, 1, 0], [7, 1, 0]), ("second", [7, 4, 3.14], [1, 4, 3.14])):
+for name, y in (("first", 1.0), ("second", 4.0)):
     cart = oc.Robot.unicycle(name, oc.Body.box(0.5, 0.3), low, high, linear=(-0.2, 0.5), angular=1.0)
-    scene.add_robot(cart, start, goal)
+    scene.add_robot(cart, start=[1, y, 0], goal=[7, y, 0])
 
 checker = oc.Checker(scene, motion="continuous")
 plan = oc.plan_controls(checker, time=20, simplify=True)
