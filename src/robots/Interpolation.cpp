@@ -14,6 +14,18 @@ namespace ompl_certificates
             return Eigen::Quaterniond(state.w, state.x, state.y, state.z).normalized();
         }
 
+        /** The angle between two orientations */
+        double angleOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
+        {
+            const Eigen::Quaterniond turn = quaternionOf(from).conjugate() * quaternionOf(to);
+            return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+        }
+
+        // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal: angles up to 0.9e-4, or 1.6e-4 with its
+        // tolerance on their norms. Between two such it keeps the first orientation until the end of the motion, then
+        // jumps.
+        constexpr double JUMP = 2e-4, NO_TURN = 1e-12;
+
         /** Whether OMPL takes a quaternion for one of length 1, with a tolerance of 1e-9 */
         bool isUnit(const ob::SO3StateSpace::StateType &state)
         {
@@ -37,17 +49,18 @@ namespace ompl_certificates
 
     double turnOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
     {
-        const Eigen::Quaterniond a = quaternionOf(from), b = quaternionOf(to);
-        const Eigen::Quaterniond turn = a.conjugate() * b;
-        const double angle = 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-        // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal: angles up to 0.9e-4, or 1.6e-4 with its
-        // tolerance on their norms. Between two such it keeps the first orientation until the end of the motion, then
-        // jumps. No bound on the speed holds for that jump.
-        constexpr double jump = 2e-4, noTurn = 1e-12;
-        if (angle > noTurn && (angle < jump || !isUnit(from) || !isUnit(to)))
+        const double angle = angleOf(from, to);
+        // No bound on the speed holds for a jump.
+        if (angle > NO_TURN && (angle < JUMP || !isUnit(from) || !isUnit(to)))
             return 1e100;
         // Unnormalised quaternions do not turn evenly. OMPL's tolerance on their norms bounds how unevenly.
         return angle * (1.0 + 1e-6);
+    }
+
+    double jumpOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
+    {
+        const double angle = angleOf(from, to);
+        return angle > NO_TURN && angle < JUMP && isUnit(from) && isUnit(to) ? angle : 0.0;
     }
 
     double distanceOf(const ob::SE2StateSpace::StateType &from, const ob::SE2StateSpace::StateType &to)

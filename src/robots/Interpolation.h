@@ -17,6 +17,9 @@ namespace ompl_certificates
         turning */
     double turnOf(const ompl::base::SO3StateSpace::StateType &from, const ompl::base::SO3StateSpace::StateType &to);
 
+    /** \brief The angle that it turns through at once where it jumps; 0 where it turns, or where that is not known */
+    double jumpOf(const ompl::base::SO3StateSpace::StateType &from, const ompl::base::SO3StateSpace::StateType &to);
+
     /** \brief How far the position of an SE(2) state moves */
     double distanceOf(const ompl::base::SE2StateSpace::StateType &from, const ompl::base::SE2StateSpace::StateType &to);
 

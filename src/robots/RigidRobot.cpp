@@ -141,7 +141,7 @@ namespace ompl_certificates
             case Space::SE3:
             {
                 const auto &a = *from->as<ob::SE3StateSpace::StateType>(), &b = *to->as<ob::SE3StateSpace::StateType>();
-                bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation())};
+                bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation()), jumpOf(a.rotation(), b.rotation())};
                 break;
             }
             case Space::REEDS_SHEPP:

@@ -113,10 +113,16 @@ namespace ompl_certificates
     {
         if (context_.knowsMotionBounds[robot])
             return;
-        const Team &team = check_.getTeam();
-        team.getRobot(robot).computeMotionBounds(context_.from[robot], context_.to[robot],
-                                                 context_.motionBounds.data() + team.getFirstBody(robot));
+        const Robot &moved = check_.getTeam().getRobot(robot);
+        MotionBound *const bounds = context_.motionBounds.data() + check_.getTeam().getFirstBody(robot);
+        moved.computeMotionBounds(context_.from[robot], context_.to[robot], bounds);
         context_.knowsMotionBounds[robot] = true;
+        for (std::size_t i = 0; testsJumps_ && i < moved.getBodies().size(); ++i)
+            if (bounds[i].jump > 0.0)
+            {
+                bounds[i].angular = bounds[i].jump;
+                jumps_ = true;
+            }
     }
 
     void MotionCheck::computePairMotionBounds(unsigned int robot)

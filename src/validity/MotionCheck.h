@@ -82,6 +82,13 @@ namespace ompl_certificates
         const TeamCheck &check_;
         CheckContext &context_;
 
+        /** \brief Whether the check tests the ends of motions with jumps by themselves; see MotionBound::jump. It must
+            settle no subject at the end. */
+        bool testsJumps_{false};
+
+        /** \brief Whether some robot jumps, as far as bounds are known */
+        bool jumps_{false};
+
         /** \brief The ends of the team's motion; null for that of some subjects */
         const ompl::base::State *const s1_{nullptr}, *const s2_{nullptr};
 

@@ -78,6 +78,16 @@ namespace
                     const double bound = bounds[i / offsets.size()].at(offsets[i % offsets.size()].norm());
                     ASSERT_LE(distance, bound * (times[b] - times[a]) * (1.0 + 1e-9) + 1e-11)
                         << "from " << times[a] << " to " << times[b];
+                    // Where it jumps at the end, the rest is bounded by itself.
+                    const MotionBound &own = bounds[i / offsets.size()];
+                    if (own.jump == 0.0)
+                        continue;
+                    const double offset = offsets[i % offsets.size()].norm(), isEnd = times[b] == 1.0 ? 1.0 : 0.0,
+                                 last = own.jump * offset * isEnd;
+                    ASSERT_LE(distance,
+                              MotionBound{own.linear, own.jump}.at(offset) * (times[b] - times[a]) * (1.0 + 1e-9) +
+                                  last * (1.0 + 1e-9) + 1e-11)
+                        << "from " << times[a] << " to " << times[b] << " with a jump";
                 }
     }
 

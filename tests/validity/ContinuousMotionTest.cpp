@@ -212,6 +212,52 @@ TEST(ContinuousMotion, AcceptsFlatBodiesNearAFloor)
     }
 }
 
+/** OMPL turns by so little only at the very end, and then at once. */
+TEST(ContinuousMotion, MayTurnByNextToNothing)
+{
+    // Its tips are 100 from the middle, so a turn of 1e-4 moves them by 0.01.
+    const Body bar = Body::box(200.0, 0.1, 0.1);
+    const auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::inSE3("bar", bar, cubeBounds(3, 3.0)));
+    team->addRobot(RigidRobot::inSE3("other", bar, cubeBounds(3, 3.0)));
+    const auto post = std::make_shared<FclObstacles>(
+        std::vector<PlacedBody>{{Body::box(0.1, 0.1, 0.1), poseAt({99.0, 0.105, 0.0})}}, 3);
+    const auto turned = [](double angle) {
+        return std::vector<double>{0.0, 0.0, std::sin(0.5 * angle), std::cos(0.5 * angle)};
+    };
+    for (const Method method : CERTIFIED)
+    {
+        const auto setup = continuousSetup(team, post, method, 0.01);
+        const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
+        const auto moves = [&](double turn, double otherTurn, double apart)
+        {
+            std::vector<double> first{-0.5, 0.0, 0.0}, last{0.5, 0.0, 0.0}, other{0.0, -0.1 - apart, 0.0};
+            const auto add = [](std::vector<double> &numbers, const std::vector<double> &more)
+            { numbers.insert(numbers.end(), more.begin(), more.end()); };
+            add(first, turned(0.0));
+            add(last, turned(turn));
+            add(first, other);
+            add(last, other);
+            add(first, turned(0.0));
+            add(last, turned(otherTurn));
+            ob::ScopedState<> from(team), to(team);
+            from = first;
+            to = last;
+            std::pair<ob::State *, double> until{nullptr, 1.0};
+            const bool accepted = validator.checkMotion(from.get(), to.get());
+            EXPECT_EQ(validator.checkMotion(to.get(), from.get()), accepted);
+            EXPECT_EQ(validator.checkMotion(from.get(), to.get(), until), accepted);
+            return accepted;
+        };
+        for (const double turn : {1e-11, 1e-7, 2e-5, -8e-5, -1.5e-4})
+            EXPECT_TRUE(moves(turn, turn, 0.05)) << turn;
+        // The post is 0.005 beside the bar, and the other bar 0.005 beside it.
+        EXPECT_FALSE(moves(8e-5, 0.0, 0.05)) << "only the end collides";
+        EXPECT_FALSE(moves(-8e-5, 0.0, 0.005)) << "only the end collides";
+        EXPECT_TRUE(moves(-8e-5, -8e-5, 0.005));
+    }
+}
+
 TEST(ContinuousMotion, IsNotForTheStandardMethod)
 {
     const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
