@@ -82,11 +82,10 @@ namespace
                     const MotionBound &own = bounds[i / offsets.size()];
                     if (own.jump == 0.0)
                         continue;
-                    const double offset = offsets[i % offsets.size()].norm(), isEnd = times[b] == 1.0 ? 1.0 : 0.0,
-                                 last = own.jump * offset * isEnd;
-                    ASSERT_LE(distance,
-                              MotionBound{own.linear, own.jump}.at(offset) * (times[b] - times[a]) * (1.0 + 1e-9) +
-                                  last * (1.0 + 1e-9) + 1e-11)
+                    const double offset = offsets[i % offsets.size()].norm();
+                    const MotionBound before{own.linear, own.jump};
+                    const double jump = times[b] == 1.0 ? own.jump * offset : 0.0;
+                    ASSERT_LE(distance, (before.at(offset) * (times[b] - times[a]) + jump) * (1.0 + 1e-9) + 1e-11)
                         << "from " << times[a] << " to " << times[b] << " with a jump";
                 }
     }
