@@ -221,7 +221,7 @@ TEST(ContinuousMotion, MayTurnByNextToNothing)
     team->addRobot(RigidRobot::inSE3("bar", bar, cubeBounds(3, 3.0)));
     team->addRobot(RigidRobot::inSE3("other", bar, cubeBounds(3, 3.0)));
     const auto post = std::make_shared<FclObstacles>(
-        std::vector<PlacedBody>{{Body::box(0.1, 0.1, 0.1), poseAt({99.0, 0.105, 0.0})}}, 3);
+        std::vector<PlacedBody>{{Body::box(0.1, 0.1, 0.1), poseAt({99.0, 0.107, 0.0})}}, 3);
     const auto turned = [](double angle) {
         return std::vector<double>{0.0, 0.0, std::sin(0.5 * angle), std::cos(0.5 * angle)};
     };
@@ -251,7 +251,7 @@ TEST(ContinuousMotion, MayTurnByNextToNothing)
         };
         for (const double turn : {1e-11, 1e-7, 2e-5, -8e-5, -1.5e-4})
             EXPECT_TRUE(moves(turn, turn, 0.05)) << turn;
-        // The post is 0.005 beside the bar, and the other bar 0.005 beside it.
+        // The post is 0.007 beside the bar, and the other bar 0.005 beside it.
         EXPECT_FALSE(moves(8e-5, 0.0, 0.05)) << "only the end collides";
         EXPECT_FALSE(moves(-8e-5, 0.0, 0.005)) << "only the end collides";
         EXPECT_TRUE(moves(-8e-5, -8e-5, 0.005));
