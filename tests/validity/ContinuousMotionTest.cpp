@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -229,25 +230,32 @@ TEST(ContinuousMotion, MayTurnByNextToNothing)
     {
         const auto setup = continuousSetup(team, post, method, 0.01);
         const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
+        const auto stateAt = [&](double x, double turn, double otherTurn, double apart)
+        {
+            std::vector<double> numbers{x, 0.0, 0.0};
+            const auto add = [&numbers](const std::vector<double> &more)
+            { numbers.insert(numbers.end(), more.begin(), more.end()); };
+            add(turned(turn));
+            add({0.0, -0.1 - apart, 0.0});
+            add(turned(otherTurn));
+            ob::ScopedState<> state(team);
+            state = numbers;
+            return state;
+        };
+        // Time runs from the state that sorts first, so each of both must be the one that is turned.
         const auto moves = [&](double turn, double otherTurn, double apart)
         {
-            std::vector<double> first{-0.5, 0.0, 0.0}, last{0.5, 0.0, 0.0}, other{0.0, -0.1 - apart, 0.0};
-            const auto add = [](std::vector<double> &numbers, const std::vector<double> &more)
-            { numbers.insert(numbers.end(), more.begin(), more.end()); };
-            add(first, turned(0.0));
-            add(last, turned(turn));
-            add(first, other);
-            add(last, other);
-            add(first, turned(0.0));
-            add(last, turned(otherTurn));
-            ob::ScopedState<> from(team), to(team);
-            from = first;
-            to = last;
-            std::pair<ob::State *, double> until{nullptr, 1.0};
-            const bool accepted = validator.checkMotion(from.get(), to.get());
-            EXPECT_EQ(validator.checkMotion(to.get(), from.get()), accepted);
-            EXPECT_EQ(validator.checkMotion(from.get(), to.get(), until), accepted);
-            return accepted;
+            std::set<bool> verdicts;
+            for (const double end : {0.5, -0.5})
+            {
+                const auto from = stateAt(-end, 0.0, 0.0, apart), to = stateAt(end, turn, otherTurn, apart);
+                std::pair<ob::State *, double> until{nullptr, 1.0};
+                verdicts.insert(validator.checkMotion(from.get(), to.get()));
+                verdicts.insert(validator.checkMotion(to.get(), from.get()));
+                verdicts.insert(validator.checkMotion(from.get(), to.get(), until));
+            }
+            EXPECT_EQ(verdicts.size(), 1U) << turn << ", " << otherTurn;
+            return *verdicts.begin();
         };
         for (const double turn : {1e-11, 1e-7, 2e-5, -8e-5, -1.5e-4})
             EXPECT_TRUE(moves(turn, turn, 0.05)) << turn;
