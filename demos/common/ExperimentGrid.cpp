@@ -11,6 +11,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
+#include <boost/lexical_cast.hpp>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -77,7 +78,7 @@ namespace demos
             return at(node, [&] { return generators::randomPolygons(settings); });
         }
 
-        /** The robot's bodies where it starts and ends, and with all coordinates at their lower and upper bounds */
+        /** The robot's bodies without their padding, where it starts and ends, and with all coordinates at their lower and upper bounds */
         void addBodies(const Scene::Member &member, std::vector<PlacedBody> &bodies)
         {
             constexpr double beyond = 1e12;
@@ -91,7 +92,7 @@ namespace demos
                 space->enforceBounds(state.get());
                 robot.placeBodies(state.get(), poses.data());
                 for (std::size_t i = 0; i < poses.size(); ++i)
-                    bodies.push_back({robot.getBodies()[i], poses[i]});
+                    bodies.push_back({robot.getBodies()[i].padded(0.0), poses[i]});
             };
             for (const auto *coordinates : {&member.start, &member.goal})
                 addAt(*coordinates);
@@ -107,6 +108,9 @@ namespace demos
             for (const Scene::Member &member : scene.getMembers())
             {
                 addBodies(member, bodies);
+                for (const Body &body : member.robot->getBodies())
+                    if (body.getPadding() > 0.0)
+                        pairs += ' ' + boost::lexical_cast<std::string>(body.getPadding());
                 for (const BodyPair &pair : member.robot->getBodyPairs())
                     pairs += ' ' + std::to_string(pair.first) + '-' + std::to_string(pair.second);
                 pairs += ';';

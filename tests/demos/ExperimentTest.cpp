@@ -227,6 +227,17 @@ TEST(Experiment, refusesTheFolderOfAnotherGrid)
     writeFile(folder / "block.obj", corners + "4" + faces);
     EXPECT_EQ(runGrid(folder / "mesh.yaml", folder / "meshes", errors), 2);
     EXPECT_NE(errors.find("a scene that has changed"), std::string::npos) << errors;
+    // So do paddings of robots.
+    const auto padded = [&](const std::string &padding)
+    {
+        writeFile(folder / "scene.yaml",
+                  "environment: {min: [0, 0], max: [9, 9]}\nrobots: [{type: rigid, space: R2, "
+                  "shape: {type: disc, radius: 0.1}, padding: " +
+                      padding + ", start: [1, 1], goal: [8, 8]}]\n");
+        return runGrid(folder / "mesh.yaml", folder / "padded", errors);
+    };
+    EXPECT_EQ(padded("0.05"), 0) << errors;
+    EXPECT_EQ(padded("0.06"), 2);
     // So do joints of arms, and pairs of links.
     const auto urdf = [](const std::string &origin, const std::string &upper)
     {

@@ -99,8 +99,9 @@ export class Obstacles {
       const sizes = [0, 1, 2].map((axis) => edge * size[i + axis])
       const middle = [0, 1, 2].map((axis) => origin[axis] + edge * low[i + axis] + 0.5 * sizes[axis])
       if (!plan.spatial) middle[2] = 0
-      // A little smaller than they are: so one sees where one ends
-      matrices.push(new Matrix4().makeScale(...sizes.map((value) => 0.985 * value)).setPosition(...middle))
+      // In space a little smaller than they are, however many are joined in one box: so one sees where one ends
+      const gap = plan.spatial ? 0.015 * edge : 0
+      matrices.push(new Matrix4().makeScale(...sizes.map((value) => value - gap)).setPosition(...middle))
       colors.push(this.colorAt(plan, middle[2]))
     }
     this.addInstances(new BoxGeometry(1, 1, 1), this.material(plan, '#ffffff'), matrices, colors)
