@@ -34,8 +34,8 @@ private:
         ompl::RNG::setSeed(status_.activeRun + 1);
         // A planner keeps its random numbers from run to run: only a new one obeys the seed.
         planners_.front() = std::make_shared<ompl::geometric::RRT>(setup_.getSpaceInformation());
-        planners_.front()->setProblemDefinition(setup_.getProblemDefinition());
-        planners_.front()->setup();
+        // A benchmark's planners are its own: the setup gives them what it gives its own.
+        setup_.prepare(*planners_.front());
         setup_.getTeamChecker()->clear();
         setup_.getStatistics().reset();
     }

@@ -36,6 +36,9 @@ namespace ompl_certificates
     {
         setStateValidityChecker(checker_);
         si_->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker_, mode));
+        // Planners that others set up, as OMPL's Benchmark does, would make one that knows no teams.
+        objective_ = std::make_shared<TeamPathLength>(si_);
+        pdef_->setOptimizationObjective(objective_);
     }
 
     void TeamSetup::simplifySolution(double duration)
@@ -190,7 +193,21 @@ namespace ompl_certificates
         if (planner_ && !planner_->isSetup())
             configureRange(*planner_);
         SimpleSetup::setup();
+        prepare(*planner_);
+    }
+
+    void TeamSetup::prepare(ob::Planner &planner) const
+    {
+        if (planner.getSpaceInformation() != si_)
+            throw ompl::Exception(planner.getName(), "was made for another space information than this setup's");
+        if (planner.getProblemDefinition() != pdef_)
+            planner.setProblemDefinition(pdef_);
+        if (!planner.isSetup())
+        {
+            configureRange(planner);
+            planner.setup();
+        }
         if (nearestStructure_ == NearestStructure::KD_TREE)
-            useKdTree(*planner_);
+            useKdTree(planner);
     }
 }

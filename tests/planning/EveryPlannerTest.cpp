@@ -53,6 +53,8 @@
 #include <ompl/geometric/planners/sbl/pSBL.h>
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
+#include <ompl/tools/benchmark/Benchmark.h>
+#include <ompl/util/Exception.h>
 #include <ompl/util/RandomNumbers.h>
 #include <set>
 
@@ -244,6 +246,35 @@ TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
     EXPECT_EQ(setup->getOptimizationObjective(), chosen);
     objectiveWith(std::make_shared<og::PRM>(si));
     EXPECT_EQ(setup->getOptimizationObjective(), chosen);
+}
+
+/** It sets up its planners before it sets up the setup. */
+TEST(TeamObjective, IsThereForPlannersOfOmplsBenchmark)
+{
+    const Quiet quiet;
+    const auto setup = easyProblem();
+    const auto &si = setup->getSpaceInformation();
+    ompl::tools::Benchmark benchmark(*setup, "all");
+    const std::vector<ob::PlannerPtr> planners{std::make_shared<og::RRTstar>(si),
+                                               std::make_shared<og::InformedRRTstar>(si),
+                                               std::make_shared<og::BITstar>(si)};
+    for (const ob::PlannerPtr &planner : planners)
+        benchmark.addPlanner(planner);
+    unsigned int replaced = 0;
+    benchmark.setPreRunEvent(
+        [&](const ob::PlannerPtr &planner)
+        {
+            setup->prepare(*planner);
+            replaced += useKdTree(*planner) ? 1 : 0;
+        });
+    benchmark.benchmark({0.1, 1000.0, 1, 0.05, false, false, false});
+    EXPECT_EQ(replaced, 0U) << "GNATs were left";
+    for (const auto &planner : benchmark.getRecordedExperimentData().planners)
+        EXPECT_EQ(planner.runs.at(0).at("solved BOOLEAN"), "1") << planner.name;
+    for (const ob::PlannerPtr &planner : planners)
+        EXPECT_NE(dynamic_cast<TeamPathLength *>(planner->getProblemDefinition()->getOptimizationObjective().get()),
+                  nullptr);
+    EXPECT_THROW(setup->prepare(*std::make_shared<og::RRT>(easyProblem()->getSpaceInformation())), ompl::Exception);
 }
 
 TEST(TeamObjective, LetsPrmStopAtItsFirstSolution)

@@ -18,9 +18,10 @@ namespace ompl_certificates
         goal that cannot be sampled OMPL chooses.
 
         All of OMPL's geometric planners for one space and one problem run in it. setup() gives the problem the
-        planner's defaultObjective(), unless setOptimizationObjective() gave it another. An ompl::tools::Benchmark sets
-        up this class once, so there all planners get a TeamPathLength; PRM then uses all of the time, as it does after
-        RRTstar in OMPL. */
+        planner's defaultObjective(), unless setOptimizationObjective() gave it another.
+
+        An ompl::tools::Benchmark has planners of its own. All of them get a TeamPathLength; PRM then uses all of the
+        time, as it does after RRTstar in OMPL. They keep OMPL's GNATs unless its PreRunEvent calls prepare(). */
     class TeamSetup : public ompl::geometric::SimpleSetup
     {
     public:
@@ -40,6 +41,12 @@ namespace ompl_certificates
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup
             \throws ompl::Exception if there is neither a goal nor a planner */
         void setup() override;
+
+        /** \brief Prepare a planner that others run, such as one of an ompl::tools::Benchmark, as setup() does its own:
+            give it the problem, a range for teams and the structure for near states, and set it up, unless that was done.
+            It must be without a tree.
+            \throws ompl::Exception if it is of another space information */
+        void prepare(ompl::base::Planner &planner) const;
 
         /** \brief Plan for at most \e time seconds; see SimpleSetup. Returns when the planner has ended: OMPL's own
             function then waits for a thread of its own, up to a millisecond, which is longer than many plans take. */
