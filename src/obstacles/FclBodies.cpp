@@ -54,6 +54,9 @@ namespace ompl_certificates
             const auto &model = *static_cast<const fcl::BVHModel<Box> *>(geometry);
             if (model.getModelType() != fcl::BVH_MODEL_TRIANGLES)
                 throw ompl::Exception("FclObstacles takes FCL's BVH models of triangles, not of points");
+            if (model.build_state != fcl::BVH_BUILD_STATE_PROCESSED &&
+                model.build_state != fcl::BVH_BUILD_STATE_UPDATED)
+                throw ompl::Exception("FclObstacles takes FCL's BVH models once endModel() was called");
             std::vector<TriangleMesh::Triangle> triangles;
             for (int i = 0; i < model.num_tris; ++i)
             {

@@ -84,6 +84,26 @@ TEST(TriangleMesh, KeepsThinTrianglesFarFromItsOrigin)
     }
 }
 
+/** A sliver between triangles is normal; where it is all there is, FCL may see it, and nobody else does. */
+TEST(TriangleMesh, WarnsOfTrianglesWithoutAreaThatStandAlone)
+{
+    const auto warningsOf = [](const Eigen::Vector3d &end)
+    {
+        const Warnings warnings("1 of the 3 triangles of a mesh have no area");
+        // Its corners are not those of the others by their numbers, but by their places.
+        const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-0.0, 0, 0}, {1, 0, 0}, end},
+                                {{0, 1, 2}, {0, 3, 1}, {4, 5, 6}});
+        EXPECT_TRUE(mesh.isDegenerate(2));
+        return warnings.count;
+    };
+    EXPECT_EQ(warningsOf({1, 0, 0}), 0U);
+    EXPECT_EQ(warningsOf({4, 0, 0}), 1U);
+    // A point is none.
+    const Warnings warnings("no area");
+    const TriangleMesh point({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {{0, 1, 2}, {3, 3, 3}});
+    EXPECT_EQ(warnings.count, 0U);
+}
+
 TEST(TriangleMesh, WarnsOfPartsThatAreTooSmallToBeChecked)
 {
     const auto warningsOf = [](double ground)

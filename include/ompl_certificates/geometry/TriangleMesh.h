@@ -19,8 +19,8 @@ namespace ompl_certificates
 
         Open, duplicated and degenerate triangles are normal input. Degenerate ones have practically no area (see
         isDegenerate()). They are kept, but never collide and have no clearance: FCL's triangle test is undefined for
-        them, and what they touch is touched by their neighbors. Only a part that is a ten-millionth as large as the
-        whole is not checked, and a warning tells of it. */
+        them, and what they touch is touched by their neighbors. A warning tells where it is not: of a part that is a
+        ten-millionth as large as the whole, and of a wire, where no other triangle has a corner. */
     class TriangleMesh
     {
     public:
