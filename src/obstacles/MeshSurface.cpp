@@ -29,12 +29,24 @@ namespace ompl_certificates
             return outline;
         }
 
-        Eigen::AlignedBox3d boxOf(const TriangleTree::Corners &triangle)
+        template <typename Points>
+        Eigen::AlignedBox3d boxOf(const Points &points)
         {
             Eigen::AlignedBox3d box;
-            for (const Eigen::Vector3d &corner : triangle)
-                box.extend(corner);
+            for (const Eigen::Vector3d &point : points)
+                box.extend(point);
             return box;
+        }
+
+        /** The ends of points on a line. Along the shorter side of their box rounding may put inner ones first. */
+        std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const std::vector<Eigen::Vector3d> &points)
+        {
+            Eigen::Index along;
+            boxOf(points).sizes().maxCoeff(&along);
+            const auto [first, last] = std::minmax_element(points.begin(), points.end(),
+                                                           [along](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+                                                           { return a[along] < b[along]; });
+            return {*first, *last};
         }
 
         void addTriangles(const TriangleMesh &mesh, const Pose &pose, TriangleTree &triangles)
@@ -99,11 +111,8 @@ namespace ompl_certificates
             // Seen from above, an upright triangle is a segment.
             if (triangles_->getTriangle(i).normal.z() == 0.0)
             {
-                const auto [first, last] =
-                    std::minmax_element(outline.begin(), outline.end(),
-                                        [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
-                                        { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-                outlines_.add({*first, *last, *last}, i);
+                const auto [first, last] = endsOf(outline);
+                outlines_.add({first, last, last}, i);
             }
             else
                 for (std::size_t k = 1; k == 1 || k + 1 < outline.size(); ++k)

@@ -18,7 +18,7 @@ namespace ompl_certificates
     {
     }
 
-    std::atomic<std::uint32_t> &CellTable::Table::entryOf(std::size_t number) const
+    CellTable::Table::Entry CellTable::Table::entryOf(std::size_t number) const
     {
         // Cells that lie next to each other have numbers that do. The factor spreads them.
         for (std::size_t slot = (number * 0x9E3779B97F4A7C15ULL) >> 32;; ++slot)
@@ -26,7 +26,7 @@ namespace ompl_certificates
             std::atomic<std::uint32_t> &entry = entries[slot & mask];
             const std::uint32_t content = entry.load(std::memory_order_relaxed);
             if (content == 0 || content >> ANSWER_BITS == number)
-                return entry;
+                return {entry, content};
         }
     }
 
@@ -39,7 +39,8 @@ namespace ompl_certificates
     JointCells::Answer CellTable::find(std::size_t number) const
     {
         const Table &table = *current_.load(std::memory_order_acquire);
-        const std::uint32_t content = table.entryOf(number).load(std::memory_order_relaxed);
+        // An entry that was empty may hold another cell's answer by now, so it is not looked at again.
+        const std::uint32_t content = table.entryOf(number).content;
         return static_cast<JointCells::Answer>(content & ((1U << ANSWER_BITS) - 1));
     }
 
@@ -47,7 +48,7 @@ namespace ompl_certificates
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         const Table *table = tables_.back().get();
-        if (table->entryOf(number).load(std::memory_order_relaxed) == 0)
+        if (table->entryOf(number).content == 0)
         {
             if (count_ == MOST_SMALL_CELLS)
                 return;
@@ -56,12 +57,12 @@ namespace ompl_certificates
                 auto larger = std::make_unique<Table>(2 * (table->mask + 1));
                 for (std::size_t i = 0; i <= table->mask; ++i)
                     if (const std::uint32_t content = table->entries[i].load(std::memory_order_relaxed); content != 0)
-                        larger->entryOf(content >> ANSWER_BITS).store(content, std::memory_order_relaxed);
+                        larger->entryOf(content >> ANSWER_BITS).place.store(content, std::memory_order_relaxed);
                 tables_.push_back(std::move(larger));
                 table = tables_.back().get();
                 current_.store(table, std::memory_order_release);
             }
         }
-        table->entryOf(number).store(entryFor(number, answer), std::memory_order_relaxed);
+        table->entryOf(number).place.store(entryFor(number, answer), std::memory_order_relaxed);
     }
 }

@@ -35,8 +35,15 @@ namespace ompl_certificates
 
             explicit Table(std::size_t size);
 
+            /** \brief An entry, and what it held when it was found */
+            struct Entry
+            {
+                std::atomic<std::uint32_t> &place;
+                std::uint32_t content;
+            };
+
             /** \brief The entry of a cell, or the empty one where it belongs */
-            std::atomic<std::uint32_t> &entryOf(std::size_t number) const;
+            Entry entryOf(std::size_t number) const;
         };
 
         /** \brief Tables from the smallest to the one in use. Readers may still hold any of them. */

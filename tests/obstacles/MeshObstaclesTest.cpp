@@ -254,6 +254,26 @@ TEST(MeshObstacles, CountInThePlaneWithinTheZIntervalOfTheRobots)
     EXPECT_DOUBLE_EQ(obstacles.clearance({0.1, 0, 0}), 0.4);
 }
 
+/** The ends of a wall along y that was turned there differ in x by a rounding error, and so do points between them. */
+TEST(MeshObstacles, InThePlaneHaveAllOfTheirWalls)
+{
+    for (unsigned int seed = 0; seed < scaled(400); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double x = random.chance(0.5) ? 1.0 : random.uniform(0.5, 1.5), y = random.uniform(0.5, 1.5);
+        const double low = random.uniform(0.0, 0.8), yaw = random.chance(0.5) ? -0.5 * M_PI : M_PI;
+        const Pose pose = planarPose(random.uniform(0.0, 1.0), random.uniform(0.0, 1.0), yaw);
+        const FclObstacles obstacles({{Body::planarMesh(boxMesh({2.0 * x, 2.0 * y, 1.0}, {0.0, 0.0, 0.5})), pose}}, 2,
+                                     {low, low + random.uniform(0.05, 0.2)});
+        for (double s = -0.99; s < 1.0; s += 0.05)
+            for (const double side : {-1.0, 1.0})
+                for (const Eigen::Vector3d &point :
+                     {Eigen::Vector3d(side * x, s * y, 0.0), Eigen::Vector3d(s * x, side * y, 0.0)})
+                    ASSERT_LE(obstacles.clearance(pose * point), 1e-9) << point.transpose();
+    }
+}
+
 TEST(MeshObstacles, AreMadeOfFclsModels)
 {
     Pose pose = planarPose(1.0, 2.0, 0.5);
