@@ -117,8 +117,13 @@ namespace demos
         std::printf("  workspace     dimensions %u, obstacles %zu, point clouds and maps %zu\n", scene.getDimension(),
                     scene.getObstacles().size(), scene.getSensedObstacles().size());
         for (const Scene::Member &member : scene.getMembers())
+        {
+            std::size_t bodies = 0;
+            for (std::size_t i = 0; i < member.robot->getBodies().size(); ++i)
+                bodies += member.robot->isZone(i) ? 0 : 1;
             std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
-                        member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
+                        member.robot->getStateSpace()->getDimension(), bodies);
+        }
         // Controls are checked step by step.
         if (options.dynamics)
             std::printf("  steps         %s\n",

@@ -23,6 +23,11 @@ namespace ompl_certificates
         /** Okabe and Ito's colors, which color-blind people can tell apart */
         constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
+        /** After the colors themselves: darker ones, then lighter ones */
+        constexpr double SHARES[] = {1.0, 0.55, 0.6}, GROUNDS[] = {0.0, 0.0, 255.0};
+
+        constexpr std::size_t DIFFERENT_COLORS = std::size(COLORS) * std::size(SHARES);
+
         /** How many edges of a tree are taken */
         constexpr std::size_t MAX_EDGES = 20000;
 
@@ -76,17 +81,14 @@ namespace ompl_certificates
 
     std::string SceneDrawing::colorOf(std::size_t robot)
     {
-        // After the colors themselves: darker ones, then lighter ones.
-        constexpr double shares[] = {1.0, 0.55, 0.6};
-        constexpr double grounds[] = {0.0, 0.0, 255.0};
         const std::string color = COLORS[robot % std::size(COLORS)];
-        const std::size_t shade = robot / std::size(COLORS) % std::size(shares);
+        const std::size_t shade = robot / std::size(COLORS) % std::size(SHARES);
         std::ostringstream mixed;
         mixed << '#' << std::hex << std::uppercase << std::setfill('0');
         for (const std::size_t digit : {1UL, 3UL, 5UL})
         {
             const double part = std::stoi(color.substr(digit, 2), nullptr, 16);
-            mixed << std::setw(2) << std::lround(shares[shade] * part + (1.0 - shares[shade]) * grounds[shade]);
+            mixed << std::setw(2) << std::lround(SHARES[shade] * part + (1.0 - SHARES[shade]) * GROUNDS[shade]);
         }
         return mixed.str();
     }
@@ -247,36 +249,64 @@ namespace ompl_certificates
             const Eigen::Vector2d center = view.project(pointOf(i, goals[i]));
             cross(svg, center, 7.0, "stroke='white' stroke-width='5' stroke-opacity='0.8'");
             cross(svg, center, 6.0, "stroke='" + color + "' stroke-width='2.6'");
+            drawNumber(svg, center, i);
         }
     }
 
-    Eigen::Vector2d SceneDrawing::drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner,
+    std::string SceneDrawing::numberOf(std::size_t robot) const
+    {
+        return scene_.getMembers().size() > DIFFERENT_COLORS ? '#' + std::to_string(robot + 1) : "";
+    }
+
+    void SceneDrawing::drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, std::size_t robot) const
+    {
+        if (const std::string number = numberOf(robot); !number.empty())
+            svg.text(center + Eigen::Vector2d(5.0, -5.0), number,
+                     "font-size='10' fill='#222' stroke='white' stroke-width='2.5' paint-order='stroke'");
+    }
+
+    Eigen::Vector2d SceneDrawing::drawRobotNames(SvgWriter &svg, const Eigen::Vector2d &corner, std::size_t rows) const
+    {
+        const auto &members = scene_.getMembers();
+        Eigen::Vector2d end = corner;
+        for (std::size_t first = 0; first < members.size(); first += rows)
+        {
+            Eigen::Vector2d at(first == 0 ? corner.x() : end.x() + 10.0, corner.y() + 0.5 * LEGEND_ROW);
+            const double left = at.x();
+            for (std::size_t i = first; i < std::min(first + rows, members.size()); ++i)
+            {
+                const std::string number = numberOf(i);
+                const std::string text = (number.empty() ? "" : number + ' ') + shortened(members[i].robot->getName());
+                svg.circle({left + 7.0, at.y()}, 6.5, "fill='" + colorOf(i) + "'");
+                svg.text({left + 22.0, at.y() + 4.5}, text, "fill='#222'");
+                at.y() += LEGEND_ROW;
+                end = end.cwiseMax(
+                    Eigen::Vector2d(left + 30.0 + 8.0 * static_cast<double>(text.size()), at.y() - 0.5 * LEGEND_ROW));
+            }
+        }
+        return end;
+    }
+
+    Eigen::Vector2d SceneDrawing::drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner, double height,
                                              const std::vector<Symbol> &symbols) const
     {
-        const double left = corner.x();
-        double row = corner.y() + 0.5 * LEGEND_ROW;
+        constexpr std::size_t fewest = 12;
+        const std::size_t robots = scene_.getMembers().size(), others = symbols.size() + 3,
+                          fit = static_cast<std::size_t>(height / LEGEND_ROW),
+                          most = std::max(fewest, fit > others ? fit - others : 0),
+                          columns = robots > DIFFERENT_COLORS ? (robots + most - 1) / most : 1;
+        Eigen::Vector2d end = drawRobotNames(svg, corner, std::max<std::size_t>((robots + columns - 1) / columns, 1));
+        double row = end.y() + LEGEND_ROW;
         std::size_t longest = 18;
-        const auto write = [&](const std::string &text, const std::string &fill)
-        {
-            svg.text({left + 22.0, row + 4.5}, text, "fill='" + fill + "'");
-            longest = std::max(longest, text.size());
-            row += LEGEND_ROW;
-        };
-        for (const Scene::Member &member : scene_.getMembers())
-        {
-            svg.circle({left + 7.0, row}, 6.5,
-                       "fill='" + colorOf(static_cast<std::size_t>(&member - scene_.getMembers().data())) + "'");
-            write(shortened(member.robot->getName()), "#222");
-        }
-        row += 0.5 * LEGEND_ROW;
         for (const auto &[text, draw] : symbols)
         {
-            draw(svg, {left + 7.0, row});
-            write(text, "#555");
+            draw(svg, {corner.x() + 7.0, row});
+            svg.text({corner.x() + 22.0, row + 4.5}, text, "fill='#555'");
+            longest = std::max(longest, text.size());
+            row += LEGEND_ROW;
         }
-        svg.text({left, row + 4.5}, "axes in the scene's unit", "fill='#555' font-size='11'");
-        row += LEGEND_ROW;
-        return {left + 30.0 + 8.0 * static_cast<double>(longest), row};
+        svg.text({corner.x(), row + 4.5}, "axes in the scene's unit", "fill='#555' font-size='11'");
+        return {std::max(end.x(), corner.x() + 30.0 + 8.0 * static_cast<double>(longest)), row + LEGEND_ROW};
     }
 
     std::vector<SceneView> SceneDrawing::placeViews(double top, bool oblique) const
@@ -321,7 +351,7 @@ namespace ompl_certificates
             svg.endGroup();
             end = end.cwiseMax(view.getCorner() + view.getSize());
         }
-        const Eigen::Vector2d legend = drawLegend(svg, {end.x() + MARGIN, top}, symbols);
+        const Eigen::Vector2d legend = drawLegend(svg, {end.x() + MARGIN, top}, end.y() - top, symbols);
         return svg.finish({legend.x(), std::max(end.y() + AXIS_HEIGHT, legend.y()) + 0.5 * MARGIN}, scene_.getName());
     }
 }

@@ -98,6 +98,9 @@ namespace ompl_certificates
         /** \brief Draw outlines and crosses at the goals */
         void drawGoals(SvgWriter &svg, const SceneView &view) const;
 
+        /** \brief Write a robot's number beside \e center, if there are more robots than colors */
+        void drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, std::size_t robot) const;
+
         /** \brief The whole picture, as the text of an SVG file
             \param oblique whether a spatial scene has an oblique view, too */
         std::string toSvg(const Content &content, const std::vector<Symbol> &symbols, bool oblique) const;
@@ -108,9 +111,16 @@ namespace ompl_certificates
         /** \brief The views of the scene, each at its position below \e top */
         std::vector<SceneView> placeViews(double top, bool oblique) const;
 
-        /** \brief Draw the legend, and return its lower right corner. */
-        Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner,
+        /** \brief A robot's number as it is written, such as #20; empty if colors are enough to tell robots apart */
+        std::string numberOf(std::size_t robot) const;
+
+        /** \brief Draw the legend, and return its lower right corner. Many robots are in columns, so that it is not much
+            higher than \e height. */
+        Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner, double height,
                                    const std::vector<Symbol> &symbols) const;
+
+        /** \brief The same for the robots alone */
+        Eigen::Vector2d drawRobotNames(SvgWriter &svg, const Eigen::Vector2d &corner, std::size_t rows) const;
 
         const Scene &scene_;
     };

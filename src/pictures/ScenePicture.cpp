@@ -243,8 +243,9 @@ namespace ompl_certificates
             svg.beginGroup("fill='" + color + "' fill-opacity='0.75' " + stroke);
             SceneDrawing::drawBodies(svg, view, robot, starts[i]);
             svg.endGroup();
-            svg.circle(view.project(SceneDrawing(scene_).pointOf(i, starts[i])), ringOf(robot, view),
-                       "fill='none' " + stroke);
+            const Eigen::Vector2d center = view.project(SceneDrawing(scene_).pointOf(i, starts[i]));
+            svg.circle(center, ringOf(robot, view), "fill='none' " + stroke);
+            SceneDrawing(scene_).drawNumber(svg, center, i);
         }
     }
 

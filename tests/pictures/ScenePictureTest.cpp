@@ -206,6 +206,28 @@ namespace ompl_certificates
                 EXPECT_NE(picture.toSvg().find(text), std::string::npos) << text;
         }
 
+        TEST(ScenePicture, RobotsOfLargeTeamsHaveNumbersAndNamesInColumns)
+        {
+            const auto pictureOf = [](std::size_t robots)
+            {
+                std::string text = "environment: {min: [0, 0], max: [60, 40]}\nrobots:\n";
+                for (std::size_t i = 0; i < robots; ++i)
+                    text += "  - {name: r" + std::to_string(i) +
+                            ", type: rigid, space: R2, shape: {type: disc, radius: "
+                            "0.2}, start: [1, " +
+                            std::to_string(1 + i) + "], goal: [59, " + std::to_string(1 + i) + "]}\n";
+                return ScenePicture(sceneFromYaml(text, "large.yaml")).toSvg();
+            };
+            const auto heightOf = [](const std::string &svg)
+            { return std::stod(svg.substr(svg.find("height='") + 8)); };
+            const std::string small = pictureOf(18), large = pictureOf(36);
+            EXPECT_TRUE(test::isWellFormed(large));
+            EXPECT_EQ(countOf(small, ">#"), 0U);
+            EXPECT_EQ(countOf(large, ">#36<"), 2U) << "at the start and the goal";
+            EXPECT_EQ(countOf(large, ">#36 r35<"), 1U);
+            EXPECT_LE(heightOf(large), heightOf(small));
+        }
+
         TEST(ScenePicture, AxesFarFromZeroHaveFewTicks)
         {
             for (const double low : {999999999.999999, 1e17})
