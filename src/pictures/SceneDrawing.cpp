@@ -249,7 +249,7 @@ namespace ompl_certificates
             const Eigen::Vector2d center = view.project(pointOf(i, goals[i]));
             cross(svg, center, 7.0, "stroke='white' stroke-width='5' stroke-opacity='0.8'");
             cross(svg, center, 6.0, "stroke='" + color + "' stroke-width='2.6'");
-            drawNumber(svg, center, i);
+            drawNumber(svg, view, center, i);
         }
     }
 
@@ -258,11 +258,18 @@ namespace ompl_certificates
         return scene_.getMembers().size() > DIFFERENT_COLORS ? '#' + std::to_string(robot + 1) : "";
     }
 
-    void SceneDrawing::drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, std::size_t robot) const
+    void SceneDrawing::drawNumber(SvgWriter &svg, const SceneView &view, const Eigen::Vector2d &center,
+                                  std::size_t robot) const
     {
-        if (const std::string number = numberOf(robot); !number.empty())
-            svg.text(center + Eigen::Vector2d(5.0, -5.0), number,
-                     "font-size='10' fill='#222' stroke='white' stroke-width='2.5' paint-order='stroke'");
+        const std::string number = numberOf(robot);
+        if (number.empty())
+            return;
+        // To the left of it where the view ends.
+        constexpr double room = 28.0;
+        const bool isLeft = center.x() + room > view.getCorner().x() + view.getSize().x();
+        svg.text(center + Eigen::Vector2d(isLeft ? -5.0 : 5.0, -5.0), number,
+                 std::string("font-size='10' fill='#222' stroke='white' stroke-width='2.5' paint-order='stroke'") +
+                     (isLeft ? " text-anchor='end'" : ""));
     }
 
     Eigen::Vector2d SceneDrawing::drawRobotNames(SvgWriter &svg, const Eigen::Vector2d &corner, std::size_t rows) const

@@ -99,7 +99,7 @@ namespace ompl_certificates
         void drawGoals(SvgWriter &svg, const SceneView &view) const;
 
         /** \brief Write a robot's number beside \e center, if there are more robots than colors */
-        void drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, std::size_t robot) const;
+        void drawNumber(SvgWriter &svg, const SceneView &view, const Eigen::Vector2d &center, std::size_t robot) const;
 
         /** \brief The whole picture, as the text of an SVG file
             \param oblique whether a spatial scene has an oblique view, too */

@@ -245,7 +245,7 @@ namespace ompl_certificates
             svg.endGroup();
             const Eigen::Vector2d center = view.project(SceneDrawing(scene_).pointOf(i, starts[i]));
             svg.circle(center, ringOf(robot, view), "fill='none' " + stroke);
-            SceneDrawing(scene_).drawNumber(svg, center, i);
+            SceneDrawing(scene_).drawNumber(svg, view, center, i);
         }
     }
 
