@@ -166,7 +166,8 @@ namespace ompl_certificates_python
                     py::arg("padding") = 0.0,
                     "Those of the points, of the shapes of add_cloud, that are no part of the team where it was when a "
                     "sensor saw them. In a planar scene points are looked at as seen from above. Leaves out points inside a robot's body or nearer to it than padding: the "
-                    "radius of the cloud, and the errors of the sensor and of the state. Also rows that are not "
+                    "radius of the cloud, and the errors of the sensor and of the state. What the body itself keeps as "
+                    "its padding is added: an obstacle within it is left out, too. Also rows that are not "
                     "finite, where a sensor saw nothing.")
                 .def("find_robots", &robotMask, py::arg("points"), py::arg("state"), py::kw_only(),
                      py::arg("padding") = 0.0,

@@ -64,10 +64,13 @@ namespace ompl_certificates_python
                     if (!std::isfinite(coordinate))
                         refuse(coordinates == &start ? "start must be finite" : "goal must be finite", coordinate);
             const Rotations rotations(*robot->getStateSpace());
+            bool mayBeDegrees = false;
             for (auto *coordinates : {&start, &goal})
                 // Another number of them is refused below.
                 if (coordinates->size() == rotations.count)
                 {
+                    for (const std::size_t angle : rotations.angles)
+                        mayBeDegrees = mayBeDegrees || std::abs((*coordinates)[angle]) > 2.0 * M_PI;
                     rotations.wrapAngles(*coordinates);
                     const double length = rotations.normalizeQuaternions(*coordinates);
                     if (length != 1.0)
@@ -76,6 +79,9 @@ namespace ompl_certificates_python
                                length);
                 }
             scene.addMember({robot, start, goal, weight, region, speed});
+            if (mayBeDegrees)
+                scene.addNote("robot '" + robot->getName() +
+                              "': an angle is more than a whole turn; angles are in radians");
         }
 
         /** The starts or the goals of all robots, one after the other */
@@ -135,7 +141,9 @@ namespace ompl_certificates_python
             .def_property_readonly(
                 "high", [](const Scene &self) { return toArray(self.getBounds().high); },
                 "The upper bounds of the workspace, of shape (dimension,)")
-            .def_property_readonly("notes", &Scene::getNotes, "What a user should know about how files were read")
+            .def_property_readonly(
+                "notes", &Scene::getNotes,
+                "What a user should know about how files were read, and about angles of robots that look like degrees")
             .def_property_readonly(
                 "robots",
                 [](const Scene &self)

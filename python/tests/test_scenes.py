@@ -24,6 +24,15 @@ def sphere_scene() -> oc.Scene:
     return scene
 
 
+def test_angles_that_look_like_degrees_are_noted() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    robots = [oc.Robot.rigid(name, oc.Body.box(1, 0.5), [0, 0], [10, 10]) for name in ("cart", "truck")]
+    scene.add_robot(robots[0], [1, 1, 2 * np.pi], [9, 9, -3.1])
+    assert scene.notes == []
+    scene.add_robot(robots[1], [1, 5, 0], [9, 5, 90])
+    assert len(scene.notes) == 1 and "truck" in scene.notes[0] and "radians" in scene.notes[0]
+
+
 def test_scene_of_a_file_tells_its_team(scenes: pathlib.Path) -> None:
     scene = oc.load_scene(str(scenes / "paper_five_discs.yaml"))
     assert scene.dimension == 2

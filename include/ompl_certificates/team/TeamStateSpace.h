@@ -141,7 +141,8 @@ namespace ompl_certificates
 
         /** \brief The number of segments of a motion: the largest of all robots; see ompl::base::StateSpace. Those of
             curves of Dubins and of Reeds and Shepp are counted along the curve. OMPL 1.5 counts along the straight
-            way. */
+            way. As in OMPL's CompoundStateSpace, setValidSegmentCountFactor() of the team itself has no effect; that of
+            a robot's space has. */
         unsigned int validSegmentCount(const ompl::base::State *state1, const ompl::base::State *state2) const override;
 
         /** \brief The number of segments of a motion of one robot, from a state of its component to another */
