@@ -424,7 +424,7 @@ class Scene:
         """The upper bounds of the workspace, of shape (dimension,)"""
     @property
     def notes(self) -> List[str]:
-        """What a user should know about how files were read"""
+        """What a user should know about how files were read, and about angles of robots that look like degrees"""
     @property
     def robots(self) -> List[Robot]:
         """The robots, in the order of the numbers of a state"""
@@ -579,8 +579,9 @@ class Checker:
     ) -> NDArray[np.float64]:
         """Those of the points, of the shapes of add_cloud, that are no part of the team where it was when a sensor saw
         them. In a planar scene points are looked at as seen from above. Leaves out points inside a robot's body or
-        nearer to it than padding: the radius of the cloud, and the errors of the sensor and of the state. Also rows
-        that are not finite, where a sensor saw nothing."""
+        nearer to it than padding: the radius of the cloud, and the errors of the sensor and of the state. What the body
+        itself keeps as its padding is added: an obstacle within it is left out, too. Also rows that are not finite,
+        where a sensor saw nothing."""
     def find_robots(self, points: ArrayLike, state: ArrayLike, *, padding: Number = 0.0) -> NDArray[np.bool_]:
         """Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask for colors and
         intensities. Rows that are not finite are none."""
