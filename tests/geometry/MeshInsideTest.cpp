@@ -112,6 +112,13 @@ TEST(MeshInside, IsEmptyWhereAMeshIsNotClosed)
     }
 }
 
+TEST(MeshInside, OfTwoBoxesThatShareAnEdgeIsThatOfAMeshThatIsNotClosed)
+{
+    const TriangleMeshPtr box = boxMesh({1, 1, 1});
+    EXPECT_TRUE(joined({box, boxMesh({1, 1, 1}, {2, 2, 0})})->isClosed());
+    EXPECT_FALSE(joined({box, boxMesh({1, 1, 1}, {1, 1, 0})})->isClosed()) << "four triangles at an edge";
+}
+
 TEST(MeshInside, SaysNothingWhereOneMeshContainsTheOther)
 {
     const TriangleMeshPtr large = boxMesh({4.0, 4.0, 4.0}), small = boxMesh({1.0, 1.0, 1.0});

@@ -212,6 +212,33 @@ TEST(PrimitiveContact, OfPolytopesOfManyFacesIsLeftToTheExactCheck)
     EXPECT_EQ(touching(round, {Eigen::Vector3d(1.1, 0, 0), {2, 0, 0}, {1.1, 2, 0}}, 1e-3), Touching::NO);
 }
 
+// The axis across edges that are parallel but for rounding is nothing but rounding, and could part any two boxes.
+TEST(PrimitiveContact, OfBoxesWhoseEdgesAreNearlyParallelIsThatOfTheirFaces)
+{
+    const Shape box = Shape::box(Eigen::Vector3d(1, 1, 1));
+    for (const double turn : {1e-8, 1e-12, 1e-16})
+        for (const double apart : {0.9, 1.1})
+        {
+            Pose pose = poseAt({0.0, apart, 0.0});
+            pose.linear()(0, 2) = turn;
+            EXPECT_EQ(touching(box, box, pose, 1e-9), apart < 1.0 ? Touching::YES : Touching::NO) << turn;
+        }
+}
+
+TEST(PrimitiveContact, OfACylinderAndABoxIsUncertainWithinTheMargin)
+{
+    const Shape box = Shape::box(Eigen::Vector3d(1, 1, 1)), cylinder = Shape::cylinder(0.5, 1.0);
+    const double margin = 1e-6;
+    for (const double depth : {-2.0, 0.5, 2.0})
+    {
+        Pose pose = poseAt({0.0, 1.0 - depth * margin, 0.0});
+        pose.linear() = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()).toRotationMatrix();
+        const Touching expected = depth < -1.0 ? Touching::NO : depth < 1.0 ? Touching::UNKNOWN : Touching::YES;
+        EXPECT_EQ(touching(cylinder, box, pose, margin), expected) << depth;
+        EXPECT_EQ(touching(box, cylinder, pose.inverse(), margin), expected) << depth;
+    }
+}
+
 /** The plane of such a triangle contains the capsule's axis, but for rounding. */
 TEST(PrimitiveContact, OfTrianglesAlongACapsulesAxisIsNoMatterOfChance)
 {

@@ -196,6 +196,13 @@ TEST(Shape, EqualsOnlyItsLike)
         others{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
     EXPECT_TRUE(Shape::polytope(2, corners) == Shape::polytope(2, corners));
     EXPECT_FALSE(Shape::polytope(2, corners) == Shape::polytope(2, others));
+    // Of equal vertices, but one has a hole.
+    const TriangleMeshPtr closed = boxMesh({1, 1, 1});
+    std::vector<TriangleMesh::Triangle> triangles = closed->getTriangles();
+    triangles.pop_back();
+    const auto open = std::make_shared<TriangleMesh>(closed->getVertices(), triangles);
+    EXPECT_TRUE(Shape::mesh(3, closed) == Shape::mesh(3, boxMesh({1, 1, 1})));
+    EXPECT_FALSE(Shape::mesh(3, closed) == Shape::mesh(3, open));
 }
 
 TEST(ShapeThreads, MakeOneGeometryForFclAndAllItsCopies)
