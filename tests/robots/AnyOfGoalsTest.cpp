@@ -86,6 +86,16 @@ TEST(AnyOfGoals, MayBeStatesOfAnySpace)
     }
 }
 
+TEST(AnyOfGoals, IsForRobotsThatEachOfThemIsFor)
+{
+    const RobotPtr disc = RigidRobot::disc("disc", 0.1, boxOf(0.0, 10.0));
+    const AnyOfGoals zones(
+        CART, {},
+        {std::make_shared<ZoneGoal>(CART, boxOf(1.0, 2.0)), std::make_shared<ZoneGoal>(CART, boxOf(7.0, 8.0))});
+    EXPECT_TRUE(zones.isFor(*CART));
+    EXPECT_FALSE(zones.isFor(*disc));
+}
+
 TEST(AnyOfGoals, RefusesWhatMakesNoSense)
 {
     const std::pair<std::vector<std::vector<double>>, std::string> wrong[] = {

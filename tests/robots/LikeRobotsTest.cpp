@@ -23,6 +23,14 @@ TEST(LikeRobots, HaveEqualBodiesAndSpaces)
     EXPECT_TRUE(disc->isLike(*RigidRobot::disc("other", 0.3, bounds)));
     EXPECT_FALSE(disc->isLike(*RigidRobot::disc("larger", 0.4, bounds)));
     EXPECT_FALSE(disc->isLike(*RigidRobot::disc("elsewhere", 0.3, cubeBounds(2, 2.0 * HALF))));
+    for (const unsigned int axis : {0U, 1U})
+    {
+        auto lower = bounds, higher = bounds;
+        lower.low[axis] -= 1.0;
+        higher.high[axis] += 1.0;
+        EXPECT_FALSE(disc->isLike(*RigidRobot::disc("lower", 0.3, lower)));
+        EXPECT_FALSE(disc->isLike(*RigidRobot::disc("higher", 0.3, higher)));
+    }
     EXPECT_FALSE(disc->isLike(*RigidRobot::inSE2("turning", Body::disc(0.3), bounds)));
     const RobotPtr box = RigidRobot::inSE2("box", Body::box(0.5, 0.2), bounds);
     EXPECT_TRUE(box->isLike(*RigidRobot::inSE2("other", Body::box(0.5, 0.2), bounds)));

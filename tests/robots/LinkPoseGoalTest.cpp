@@ -203,6 +203,23 @@ TEST(LinkPoseGoal, TellsWhatIsBeyondTheTolerances)
 }
 
 /** Any turn about one axis is allowed, also those that Euler angles write in two ways. */
+TEST(LinkPoseGoal, IsNotReachedBeyondTheLimitsOfAJoint)
+{
+    KinematicTree tree("base");
+    tree.addLink("base", joint("turn", JointType::REVOLUTE, {0, 0, 0}, Eigen::Vector3d::UnitZ(), -1.0, 1.0), "link",
+                 Body::sphere(0.1));
+    const auto arm = std::make_shared<const Arm>("arm", tree, std::vector<std::string>{"turn"}, ArmOptions{});
+    ob::ScopedState<> state(arm->getStateSpace());
+    for (const double angle : {0.9, 1.2})
+    {
+        LinkPose pose{"link"};
+        pose.rotation = LinkPose::Rotation{planarPose(0.0, 0.0, angle).linear()};
+        // The state has the pose already.
+        state[0] = angle;
+        EXPECT_EQ(LinkPoseGoal(arm, pose).reach(state.get()), angle < 1.0) << angle;
+    }
+}
+
 TEST(LinkPoseGoal, LeavesTurnsFree)
 {
     const auto arm = sevenJointArm();

@@ -134,3 +134,22 @@ TEST(PoseBatch, IsTheSameWhereverAStateStands)
         for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
             EXPECT_EQ(poseOf(trial.batches[i], k).matrix(), poseOf(other.batches[i], PoseBatch::SIZE - 1 - k).matrix());
 }
+
+TEST(PoseBatch, OfASlideFarToEitherSideIsRoundedAsMuchAsItSays)
+{
+    KinematicTree tree("base");
+    tree.addLink(
+        "base",
+        joint("slide", KinematicTree::JointType::PRISMATIC, {0, 0, 0}, Eigen::Vector3d::UnitX(), -1000.0, 1000.0),
+        "sled", Body::sphere(0.1));
+    const Arm arm("arm", tree, {"slide"});
+    for (const double side : {-1.0, 1.0})
+    {
+        BatchTrial trial(arm);
+        for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+            trial[k][0] = side * (999.0 + 0.1 * static_cast<double>(k));
+        trial.compute();
+        for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+            EXPECT_NEAR(poseOf(trial.batches[0], k).translation().x(), trial[k][0], trial.error.linear);
+    }
+}

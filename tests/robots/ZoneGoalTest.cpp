@@ -81,6 +81,19 @@ TEST(ZoneGoal, StaysWithinTheBounds)
     EXPECT_EQ(edge.describe(), "its zone from [5, 9.99] to [6, 10]");
 }
 
+TEST(ZoneGoal, IsForRobotsThatMoveInItsSpace)
+{
+    const auto robots = allKinds();
+    for (const RobotPtr &owner : robots)
+    {
+        const ob::RealVectorBounds &box = owner->getWorkspaceDimension() == 2 ? FLOOR : HALL;
+        for (const RobotPtr &robot : robots)
+            EXPECT_EQ(ZoneGoal(owner, box).isFor(*robot), robot == owner) << owner->getName() << robot->getName();
+        EXPECT_FALSE(ZoneGoal(owner, box).isFor(Arm("arm", sevenJoints(), SEVEN)));
+    }
+    EXPECT_TRUE(ZoneGoal(robots[0], FLOOR).isFor(*RigidRobot::disc("larger", 0.5, FLOOR)));
+}
+
 TEST(ZoneGoal, RefusesWhatMakesNoSense)
 {
     const RobotPtr robot = RigidRobot::inR2("robot", Body::disc(0.1), FLOOR);
