@@ -1,4 +1,5 @@
 #include "ompl_certificates/team/Coordinates.h"
+#include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
@@ -74,4 +75,20 @@ TEST(Coordinates, TellWhichIsOutsideTheBounds)
     // No part of it is outside, but its length is not 1.
     const RobotPtr drone = RigidRobot::inSE3("drone", Body::sphere(0.1), oblong(3));
     EXPECT_EQ(complaintOf(*drone, {0, 0, 0, 0, 0, 0, 0.5}), "is outside the bounds");
+}
+
+// Names may contain dots: robot "r" with joint "s.x", and robot "r.s".
+TEST(Coordinates, OfTwoRobotsMayShareANameWhicheverComesFirst)
+{
+    KinematicTree tree("base");
+    KinematicTree::Joint joint{"s.x", KinematicTree::JointType::REVOLUTE};
+    joint.lower = -1.0;
+    joint.upper = 1.0;
+    tree.addLink("base", joint, "link", Body::sphere(0.1));
+    const Arm arm("r", tree, {"s.x"});
+    const auto ball = RigidRobot::sphere("r.s", 0.1, oblong(3)), other = RigidRobot::sphere("r.t", 0.1, oblong(3));
+    EXPECT_EQ(sharedCoordinate(arm, *ball), "r.s.x");
+    EXPECT_EQ(sharedCoordinate(*ball, arm), "r.s.x");
+    EXPECT_EQ(sharedCoordinate(arm, *other), "");
+    EXPECT_EQ(sharedCoordinate(*other, arm), "");
 }

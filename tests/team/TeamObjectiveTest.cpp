@@ -89,6 +89,18 @@ TEST(TeamObjective, KnowsALowerBoundToTheNearestGoal)
     }
 }
 
+TEST(TeamObjective, KnowsNoBoundToAGoalThatIsReachedFromAfar)
+{
+    const auto team = teamOfDiscs();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    const auto from = stateOf(team, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}), to = stateOf(team, {2.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    ob::GoalState goal(si);
+    goal.setState(to.get());
+    goal.setThreshold(1.0);
+    for (const char *name : {"sum", "makespan", "arrival"})
+        EXPECT_LE(makeObjective(name, si, to)->costToGo(from.get(), &goal).value(), 1.0) << name;
+}
+
 TEST(TeamObjective, HeuristicsAreLowerBoundsOfDetours)
 {
     const auto team = mixedTeam();

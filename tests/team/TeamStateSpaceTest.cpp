@@ -301,3 +301,13 @@ TEST(TeamStateSpace, IsNotSetUpWithoutRobotsOrWithOtherComponents)
     mixed.addSubspace(other, 1.0);
     EXPECT_THROW(mixed.setup(), ompl::Exception);
 }
+
+// Its states are laid out for the spaces as they were.
+TEST(TeamStateSpace, IsNotSetUpIfTheSpaceOfARobotHasGrown)
+{
+    TeamStateSpace team;
+    const RobotPtr disc = RigidRobot::disc("growing", 1.0, cubeBounds(2, 1.0));
+    team.addRobot(disc);
+    disc->getStateSpace()->as<ob::RealVectorStateSpace>()->addDimension(-1.0, 1.0);
+    expectWords(messageOf([&] { team.setup(); }), {"'growing'", "changed its dimension"});
+}
