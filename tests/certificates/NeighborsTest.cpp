@@ -233,6 +233,17 @@ TEST(CertificateTreeNeighbors, ClearForgetsAllAndTheTreeGoesOn)
     }
 }
 
+TEST(CertificateTreeNeighbors, ClearForgetsWhatWasNotedOfThem)
+{
+    CertificateTree tree(2);
+    tree.setNotesAdded(true);
+    tree.insert({{1.0, 2.0, 0.0}, 0.5});
+    tree.clear();
+    EXPECT_TRUE(tree.takeAdded().empty());
+    const CertificateIndex index = tree.insert({{3.0, 2.0, 0.0}, 0.5});
+    EXPECT_EQ(tree.takeAdded(), std::vector<CertificateIndex>{index});
+}
+
 TEST(CertificateTreeNeighbors, TakeManyCopiesOfOneCertificate)
 {
     CertificateTree tree(2);
