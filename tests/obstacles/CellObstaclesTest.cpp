@@ -286,6 +286,17 @@ TEST(CellObstacles, InThePlaneMeetMeshesAtAnyHeight)
     EXPECT_TRUE(obstacles.staysFree(body, planarPose(0.15, 1.15), 0.1));
 }
 
+TEST(CellObstacles, InThePlaneAreAllOfALongBoxAboveOrBelowAShortOne)
+{
+    const CellBox longer{{0, 0, 0}, {10, 1, 1}}, shorter{{2, 0, 2}, {3, 1, 3}};
+    for (const auto &cells : {std::vector<CellBox>{longer, shorter}, std::vector<CellBox>{shorter, longer}})
+    {
+        const CellObstacles obstacles(1.0, cells, 2);
+        EXPECT_LT(obstacles.clearance({8.5, 0.5, 0.0}), 0.0);
+        EXPECT_GT(obstacles.clearance({10.5, 0.5, 0.0}), 0.0);
+    }
+}
+
 TEST(CellObstacles, AreKnownByTheirCells)
 {
     const std::vector<CellBox> one{{{0, 0, 0}, {2, 1, 1}}}, two{{{1, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}},

@@ -156,3 +156,19 @@ TEST(Tolerance, CoversWhatFclMakesOfLevelPrisms)
     }
     EXPECT_GT(compared, scaled(400) * 20);
 }
+
+// Too small a tolerance shows itself in few worlds alone, so its terms are looked at one by one.
+TEST(Tolerance, GrowsWithTheDistanceFromTheOriginWithMeshesAndWithTheirHeight)
+{
+    const auto ballAt = [](double x) { return FclObstacles({{Body::sphere(0.1), poseAt({x, 0, 0})}}, 3); };
+    EXPECT_NEAR(ballAt(1e6).getTolerance() - ballAt(0.0).getTolerance(), 1e-8, 1e-9);
+    const auto cube = [](double height) { return boxMesh({100.0, 100.0, height}); };
+    EXPECT_GT(FclObstacles({{Body::mesh(cube(100.0))}}, 3).getTolerance() - ballAt(0.0).getTolerance(), 8e-5);
+    // In the plane, a disc beside a mesh is checked as a prism of the mesh's height.
+    const auto besideADisc = [&](double height)
+    {
+        const Body mesh = Body::planarMesh(cube(height));
+        return FclObstacles({{mesh}, {Body::disc(0.01), planarPose(300.0, 0.0)}}, 2).getTolerance();
+    };
+    EXPECT_GE(besideADisc(100.0) - besideADisc(1.0), exactCheckTolerance(100.0) - exactCheckTolerance(1.0));
+}
