@@ -122,6 +122,25 @@ TEST_F(Padding, IsNotKeptWithinARobot)
     EXPECT_FALSE(isValid(teamOf({foldingArm(0.3)}), post, {0.0, turn, turn}));
 }
 
+/** A part for each of two arms on one base, their links 0.2 apart */
+TEST_F(Padding, IsNotKeptBetweenPartsOfAMechanism)
+{
+    KinematicTree tree("base");
+    const Body link = Body::box(0.8, 0.1).padded(0.15);
+    for (const auto &[side, y] : {std::pair("left", 0.15), std::pair("right", -0.15)})
+        tree.addLink("base", {side, KinematicTree::JointType::CONTINUOUS, planarPose(0.0, y)},
+                     std::string(side) + " link", link);
+    const auto part = [&](const std::string &side)
+    {
+        ArmOptions options;
+        options.linkPairs = {{"left link", "right link"}};
+        options.links = std::vector<std::string>{side + " link"};
+        return std::make_shared<const Arm>(side, tree, std::vector<std::string>{side}, options);
+    };
+    EXPECT_TRUE(isValid(teamOf({part("left"), part("right")}), {}, {0.0, 0.0}));
+    EXPECT_FALSE(isValid(teamOf({part("left"), part("right")}), {}, {1.5, 1.5}));
+}
+
 /** The base is an obstacle of the arm's own. */
 TEST_F(Padding, IsKeptFromObstaclesOfAnArmItself)
 {
