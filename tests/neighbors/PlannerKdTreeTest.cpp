@@ -1,6 +1,7 @@
 #include "KdTreeSpaces.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "ompl_certificates/neighbors/StateKdTree.h"
 #include "support/RandomStates.h"
 
 #include <algorithm>
@@ -298,6 +299,57 @@ TEST(PlannerKdTree, StepsAsideForOtherDistancesSpacesAndStates)
     EXPECT_FALSE(finite.usesKdTree());
     EXPECT_EQ(finite.size(), 101U);
     EXPECT_EQ(finite.nearest(far), far);
+}
+
+/** Of such rotations, one quaternion is often near to the opposite of another. */
+TEST(PlannerKdTree, FindsTheNearestOfRotationsByHalfATurn)
+{
+    const auto rotations = std::make_shared<ob::SO3StateSpace>();
+    Elements elements(rotations, 8);
+    PlannerKdTree<Element *> tree(rotations);
+    ompl::NearestNeighborsLinear<Element *> linear;
+    tree.setDistanceFunction(elements.distance());
+    linear.setDistanceFunction(elements.distance());
+    const auto make = [&]
+    {
+        Element *element = elements.make();
+        const Eigen::Vector3d axis = elements.random().direction(3);
+        setRotation(*element->state->as<ob::SO3StateSpace::StateType>(),
+                    Eigen::Quaterniond(0.001, axis.x(), axis.y(), axis.z()).normalized());
+        return element;
+    };
+    for (unsigned int i = 0; i < 2000; ++i)
+    {
+        Element *element = make();
+        tree.add(element);
+        linear.add(element);
+    }
+    EXPECT_TRUE(tree.usesKdTree());
+    for (unsigned int i = 0; i < 500; ++i)
+    {
+        Element *query = make();
+        ASSERT_EQ(elements.distance()(query, tree.nearest(query)), elements.distance()(query, linear.nearest(query)));
+    }
+}
+
+TEST(PlannerKdTree, StepsAsideForAnglesAndRotationsThatAreNone)
+{
+    const auto circle = std::make_shared<ob::SO2StateSpace>();
+    ob::ScopedState<ob::SO2StateSpace> angle(circle);
+    StateKdTree angles(*circle);
+    for (const double value : {3.0, -4.0, 4.0})
+    {
+        angle->value = value;
+        EXPECT_EQ(angles.add(angle.get()), value == 3.0) << value;
+    }
+    const auto rotations = std::make_shared<ob::SO3StateSpace>();
+    ob::ScopedState<ob::SO3StateSpace> rotation(rotations);
+    StateKdTree quaternions(*rotations);
+    for (const double length : {1.0, 0.7, 1.3})
+    {
+        setRotation(*rotation.get(), Eigen::Quaterniond(length, 0.0, 0.0, 0.0));
+        EXPECT_EQ(quaternions.add(rotation.get()), length == 1.0) << length;
+    }
 }
 
 /** Their squares are denormal as floats. */
