@@ -34,10 +34,7 @@ namespace
                 from.insert(from.end(), {-5.0, static_cast<double>(i)});
                 to.insert(to.end(), {5.0, static_cast<double>(i)});
             }
-            ob::ScopedState<> start(team), goal(team);
-            start = from;
-            goal = to;
-            setup->setStartAndGoalStates(start, goal);
+            setStartAndGoal(from, to);
             planner = std::make_shared<DRRTstar>(setup->getSpaceInformation());
             setup->setPlanner(planner);
         }
@@ -45,6 +42,20 @@ namespace
         static ObstaclesPtr among(const std::vector<PlacedBody> &bodies)
         {
             return std::make_shared<FclObstacles>(bodies, 2);
+        }
+
+        void setStartAndGoal(const std::vector<double> &from, const std::vector<double> &to)
+        {
+            ob::ScopedState<> start(team), goal(team);
+            start = from;
+            goal = to;
+            setup->setStartAndGoalStates(start, goal);
+        }
+
+        /** Two robots drive straight on above a wall of height 2: no path can be better. */
+        void driveStraightOn()
+        {
+            setStartAndGoal({-5.0, 2.0, -5.0, 3.0}, {5.0, 2.0, 5.0, 3.0});
         }
 
         ob::PlannerSolution solution() const
@@ -140,6 +151,20 @@ TEST_F(DRRTstarAgain, TakesTheCheckerThatIsThere)
         }
 }
 
+/** Only the second validator sees the wall, which is thinner than the steps of the first. */
+TEST_F(DRRTstarAgain, TakesTheMotionValidatorThatIsThere)
+{
+    Room room(2, 8.0);
+    room.team->setLongestValidSegmentFraction(0.3);
+    ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+    room.setup->getSpaceInformation()->setMotionValidator(std::make_shared<CertificateMotionValidator>(
+        room.setup->getTeamChecker(), CertificateMotionValidator::CONTINUOUS));
+    ASSERT_FALSE(room.setup->getSolutionPath().check());
+    room.setup->getProblemDefinition()->clearSolutionPaths();
+    ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(room.setup->getSolutionPath().check());
+}
+
 TEST_F(DRRTstarAgain, TakesTheObjectiveThatIsThere)
 {
     Room room(2);
@@ -159,25 +184,41 @@ TEST_F(DRRTstarAgain, TakesTheObjectiveThatIsThere)
     }
 }
 
-/** A problem that has another start, given to the planner without clear() */
+/** A problem that has another start, given to the planner without clear(), with an objective of its own or with that
+    of the first */
 TEST_F(DRRTstarAgain, BeginsAnewWithAnotherProblem)
 {
-    Room room(2);
-    const auto si = room.setup->getSpaceInformation();
-    ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
-    const double before = room.planner->getBestCost().value();
-    room.planner->setProblemDefinition(room.setup->getProblemDefinition());
-    EXPECT_EQ(room.planner->getBestCost().value(), before);
-    const auto problem = std::make_shared<ob::ProblemDefinition>(si);
-    ob::ScopedState<> start(room.team), goal(room.team);
-    start = std::vector<double>{5.0, 5.0, 5.0, 7.0};
-    goal = std::vector<double>{5.0, -5.0, 5.0, -7.0};
-    problem->setStartAndGoalStates(start, goal);
-    room.planner->setProblemDefinition(problem);
-    ASSERT_EQ(room.planner->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
-    const auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
-    EXPECT_TRUE(si->equalStates(path->getState(0), start.get()));
-    EXPECT_TRUE(si->equalStates(path->getStates().back(), goal.get()));
+    for (const bool sharesObjective : {false, true})
+    {
+        Room room(2);
+        const auto si = room.setup->getSpaceInformation();
+        ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+        const double before = room.planner->getBestCost().value();
+        room.planner->setProblemDefinition(room.setup->getProblemDefinition());
+        EXPECT_EQ(room.planner->getBestCost().value(), before);
+        const auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        ob::ScopedState<> start(room.team), goal(room.team);
+        start = std::vector<double>{5.0, 5.0, 5.0, 7.0};
+        goal = std::vector<double>{5.0, -5.0, 5.0, -7.0};
+        problem->setStartAndGoalStates(start, goal);
+        if (sharesObjective)
+            problem->setOptimizationObjective(room.setup->getProblemDefinition()->getOptimizationObjective());
+        room.planner->setProblemDefinition(problem);
+        ASSERT_EQ(room.planner->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+        const auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+        EXPECT_TRUE(si->equalStates(path->getState(0), start.get()));
+        EXPECT_TRUE(si->equalStates(path->getStates().back(), goal.get()));
+    }
+}
+
+TEST_F(DRRTstarAgain, SearchesAgainAfterClearWhereItsPathWasOptimal)
+{
+    Room room(2, 2.0);
+    room.driveStraightOn();
+    ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+    room.setup->getProblemDefinition()->clearSolutionPaths();
+    room.planner->clear();
+    EXPECT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
 }
 
 /** The first state but one of a path is in the tree, and becomes a start: the shorter way begins there. */
@@ -238,6 +279,7 @@ TEST_F(DRRTstarAgain, CountsWhatItCostsToEndAtAGoal)
 TEST_F(DRRTstarAgain, TellsOfAPathFromStartToGoalInItsData)
 {
     Room room(2, 2.0);
+    room.driveStraightOn();
     auto objective = std::make_shared<TeamPathLength>(room.setup->getSpaceInformation());
     objective->setCostThreshold(objective->infiniteCost());
     room.setup->setOptimizationObjective(objective);

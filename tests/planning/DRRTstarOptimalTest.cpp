@@ -104,3 +104,23 @@ TEST_F(DRRTstarOptimal, GoesOnWhereAnotherStartOrGoalIsBetter)
     setup->addStartState(stateAt(-1));
     EXPECT_NEAR(solve(), 1.5, 1e-6);
 }
+
+/** Straight on, the path is the shortest, but whether that suffices is up to the objective. */
+TEST_F(DRRTstarOptimal, CallsAPathOptimizedWhereItMeetsTheThreshold)
+{
+    for (const double threshold : {0.0, 5.0})
+    {
+        const auto setup = roomWithWall();
+        ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+        start = std::vector<double>{-1, -1, 1, -1};
+        goal = std::vector<double>{-1, 1, 1, 1};
+        setup->setStartAndGoalStates(start, goal);
+        const auto objective =
+            std::make_shared<TeamObjective>(setup->getSpaceInformation(), TeamObjective::SUM_OF_LENGTHS);
+        objective->setCostThreshold(ob::Cost(threshold));
+        setup->setOptimizationObjective(objective);
+        setDRRTstar(*setup);
+        ASSERT_EQ(setup->solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(setup->getProblemDefinition()->getSolutions().front().optimized_, threshold > 4.0);
+    }
+}

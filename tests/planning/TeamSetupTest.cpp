@@ -1,5 +1,7 @@
 #include "support/Checkers.h"
+#include "support/CrowdProblem.h"
 #include "support/Message.h"
+#include "support/TeamOf.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/validity/Basic.h"
@@ -95,6 +97,23 @@ TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
         EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
     }
     EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethod(), Method::SHARED_PROJECTION);
+}
+
+/** RRT leaves detours on the way around the block, which the simplifier takes away. */
+TEST(TeamSetup, TellsTheLengthOfTheSimplifiedSolution)
+{
+    const auto team = teamOf({RigidRobot::disc("disc", 0.1, cubeBounds(2, HALF))});
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 4.0)}}, 2));
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{-3.0, 0.0};
+    goal = std::vector<double>{3.0, 0.0};
+    setup.setStartAndGoalStates(start, goal);
+    setup.setPlanner(std::make_shared<OpenRrt>(setup.getSpaceInformation()));
+    ASSERT_TRUE(setup.solve(10.0));
+    const double before = setup.getSolutionPath().length();
+    setup.simplifySolution(evaluations(1000));
+    EXPECT_LT(setup.getSolutionPath().length(), before);
+    EXPECT_EQ(setup.getProblemDefinition()->getSolutions().front().length_, setup.getSolutionPath().length());
 }
 
 TEST(TeamSetup, SaysThatItNeedsAGoalOrAPlanner)
