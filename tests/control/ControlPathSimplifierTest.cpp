@@ -99,6 +99,17 @@ TEST_F(ControlPathSimplifierTest, GetsATeamToItsGoalInLessTime)
         }
 }
 
+TEST_F(ControlPathSimplifierTest, TellsTheLengthOfTheSimplifiedSolution)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = puckFrom(-1.5, 0.0, 1.5, 0.0);
+    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    const double before = setup->getSolutionPath().length();
+    setup->simplifySolution();
+    EXPECT_LT(setup->getSolutionPath().length(), before);
+    EXPECT_EQ(setup->getProblemDefinition()->getSolutions().front().length_, setup->getSolutionPath().length());
+}
+
 TEST_F(ControlPathSimplifierTest, FindsTheSamePathUnderAllMethods)
 {
     expectSamePathUnderAllMethods([](TeamControlSetup &setup) { setup.simplifySolution(); });

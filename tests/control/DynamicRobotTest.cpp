@@ -239,6 +239,29 @@ namespace
     private:
         const std::shared_ptr<const DynamicRobot> robot_;
     };
+
+    /** Drives most of its way at the beginning of a step. Its bound holds for the step as a whole. */
+    class Jumper : public DynamicRobot
+    {
+    public:
+        Jumper()
+          : DynamicRobot(RigidRobot::disc("jumper", 0.1, within({3.0, 3.0})), {}, ob::RealVectorBounds(0), {"v"},
+                         within({1.0}))
+        {
+        }
+
+        void propagate(const ob::State *from, const double *control, double duration, ob::State *to) const override
+        {
+            getStateSpace()->copyState(to, from);
+            to->as<ob::RealVectorStateSpace::StateType>()->values[0] += control[0] * std::sqrt(duration);
+        }
+
+        void computeStepBounds(const ob::State * /*from*/, const double *control, double duration,
+                               MotionBound *bounds) const override
+        {
+            bounds[0] = {std::abs(control[0]) * std::sqrt(duration), 0.0};
+        }
+    };
 }
 
 TEST(DynamicRobotTest, BodiesMayLieBesideTheFrame)
@@ -316,6 +339,11 @@ TEST(DynamicRobotTest, TrialFindsWrongSteps)
     EXPECT_NE(messageOf([&] { checkDynamicRobot(wide, 0.5); }).find("of body 0 moves"), std::string::npos);
     EXPECT_EQ(messageOf([] { checkDynamicRobot(*allKinds()[0], 0.0); }),
               "single: the longest step must be positive, not 0 s");
+}
+
+TEST(DynamicRobotTest, TrialFindsStepsThatAreNotDrivenEvenly)
+{
+    EXPECT_NE(messageOf([] { checkDynamicRobot(Jumper(), 1.0); }).find("of body 0 moves"), std::string::npos);
 }
 
 TEST(DynamicRobotTest, RefusesBadParts)

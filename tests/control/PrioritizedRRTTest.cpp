@@ -106,8 +106,19 @@ TEST_F(PrioritizedRRTTest, EndsWithoutAPathWhereThereIsNone)
     start = std::vector<double>{0.0, 0.0};
     setup.setStartAndGoalStates(start, goal, 0.1);
     EXPECT_EQ(setup.solve(1.0), ob::PlannerStatus::INVALID_START);
+    EXPECT_EQ(planner->getStuckRobot(), "") << "no robot was tried";
     setup.setStartAndGoalStates(goal, start, 0.1);
     EXPECT_EQ(setup.solve(1.0), ob::PlannerStatus::INVALID_GOAL);
+}
+
+TEST_F(PrioritizedRRTTest, KeepsNothingOfItsPathAfterClear)
+{
+    const auto setup = crossing(allKinds()[0], {});
+    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    setup->getPlanner()->clear();
+    ob::PlannerData data(setup->getSpaceInformation());
+    setup->getPlanner()->getPlannerData(data);
+    EXPECT_EQ(data.numVertices(), 0U);
 }
 
 TEST_F(PrioritizedRRTTest, TriesAnotherGoalWithEachOrder)
