@@ -151,6 +151,7 @@ namespace ompl_certificates
         EXPECT_EQ(complaintOf("x,y\n1,2\n"), ": there is no column '\"a\", b.x'");
         EXPECT_EQ(complaintOf("\"\"\"a\"\", b.x\"," + names), ": column '\"a\", b.x' is there twice");
         EXPECT_EQ(complaintOf(names + "1,2,3\n1,2\n"), ":3: has 2 values, not 3");
+        EXPECT_EQ(complaintOf(names + "1,2,3\n1,2,3,4\n"), ":3: has 4 values, not 3");
         for (const std::string number : {"nan", "inf", "1e999", "two", "", "1 2", "0x1", "+-1"})
             EXPECT_EQ(complaintOf(names + "\n1," + number + ",3\n"),
                       ":3: '\"a\", b.y' must be a finite number, not '" + number + "'");
@@ -169,6 +170,19 @@ namespace ompl_certificates
                   4u);
         // Where no angle is beyond half a turn they may all have been wrapped, as OMPL's are.
         EXPECT_EQ(loadPath(folder_.write("path.csv", names + "1,2,3.1\n1,2,-3.1\n"), cart_).getStateCount(), 2u);
+    }
+
+    TEST_F(PathReaderTest, NamesTheFirstOfSeveralTurnsThatWouldGoTheOtherWay)
+    {
+        const auto si =
+            spaceOf(sceneFromYaml("environment: {min: [0, 0], max: [10, 10]}\n"
+                                  "robots:\n"
+                                  "  - {type: unicycle_first_order_0, name: a, start: [1, 1, 0], goal: [9, 1, 0]}\n"
+                                  "  - {type: unicycle_first_order_0, name: b, start: [1, 5, 0], goal: [9, 5, 0]}\n",
+                                  "carts"));
+        const std::string file =
+            folder_.write("path.csv", "a.x,a.y,a.yaw,b.x,b.y,b.yaw\n1,1,0,1,5,0\n1,1,3.5,1,5,0\n1,1,3.5,1,5,4\n");
+        EXPECT_NE(test::messageOf([&] { loadPath(file, si); }).find(":3: 'a.yaw' turns by 3.5"), std::string::npos);
     }
 
     TEST_F(PathReaderTest, RefusesQuaternionsThatAreNone)

@@ -120,6 +120,14 @@ namespace ompl_certificates
         EXPECT_TRUE(nlohmann::json::parse(report.toJson())["cost"].is_null());
     }
 
+    TEST(PlanReport, CountsMotionsThatWereNotLookedAtApart)
+    {
+        PlanReport report;
+        report.setProof({{1, 2, 3}, 1, nullptr});
+        EXPECT_EQ(report.unprovedMotions, 2);
+        EXPECT_EQ(report.unseenMotions, 1U);
+    }
+
     TEST(PlanReport, HasTheKeysOfItsPageAndNoOthers)
     {
         const std::string page = readWholeFile(OMPL_CERTIFICATES_SOURCE_DIR "/docs/plan-team.md");
