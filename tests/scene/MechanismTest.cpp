@@ -251,6 +251,10 @@ namespace ompl_certificates
                     {"scene.yaml:4: robots[1]", "'up'", "1.5", "0.5"});
         expectError(robotWith("l", bar + "0.05}}]"), robotWith("r", bar + "0.06}}]"),
                     {"scene.yaml:4: robots[1].attached[0].name", "another attached body 'bar'"});
+        for (const std::string other : {"link: a", "link: tool, position: [0, 0, 0.1]", "link: tool, touch_links: [a]"})
+            expectError(robotWith("l", bar + "0.05}}]"),
+                        robotWith("r", "attached: [{name: bar, shape: {type: sphere, radius: 0.05}, " + other + "}]"),
+                        {"robots[1].attached[0].name", "another attached body 'bar'"});
         expectError(robotWith("l", bar + "0.05}}, {name: bar, link: a, shape: {type: sphere, radius: 1}}]"),
                     robotWith("r", ""), {"robots[0].attached[1].name", "there is another attached body 'bar'"});
         expectError(robotWith("l", "joints: {right: 0.5}"), robotWith("r", ""),

@@ -88,6 +88,35 @@ namespace ompl_certificates
                 << file.scene.getObstacles().at(0).pose.translation();
         }
 
+        /** The rod follows joint "turn". Of the drawer nothing is told: it is in the middle of its limits, beyond 0. */
+        TEST_F(MoveItScene, ObstaclesCanBeInTheFrameOfALinkThatFollowsOrIsNotTold)
+        {
+            const auto slide = [](const std::string &name, const std::string &child, const std::string &more)
+            {
+                return "<link name='" + child + "'/><joint name='" + name +
+                       "' type='prismatic'><parent link='base'/><child link='" + child + "'/><axis xyz='1 0 0'/>" +
+                       more + "</joint>";
+            };
+            std::string urdf = TWO_LINKS_URDF;
+            urdf.insert(urdf.find("</robot>"),
+                        slide("follow", "rod",
+                              "<limit lower='-9' upper='9' effort='1' velocity='1'/>"
+                              "<mimic joint='turn' multiplier='2' offset='0.3'/>") +
+                            slide("pull", "drawer", "<limit lower='-2' upper='-1' effort='1' velocity='1'/>"));
+            robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf),
+                                                     folder_.write("arm.srdf", TWO_LINKS_SRDF));
+            const auto ballIn = [](const std::string &frame)
+            {
+                return "    - {id: in_" + frame + ", header: {frame_id: " + frame +
+                       "}, primitives: [{type: sphere, dimensions: [0.1]}], "
+                       "primitive_poses: [{position: [0, 3, 0]}]}\n";
+            };
+            const SceneFile file = read("robot_state: {joint_state: {name: [turn], position: [0.5]}}\n" + OBJECTS +
+                                        ballIn("rod") + ballIn("drawer"));
+            EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({1.3, 3, 0})));
+            EXPECT_TRUE(file.scene.getObstacles().at(1).pose.isApprox(poseAt({-1.5, 3, 0})));
+        }
+
         TEST_F(MoveItScene, GoalsCanBeInTheFrameOfALinkThatTheGroupDoesNotMove)
         {
             // The pointer follows joint "turn", which is not of the group, and the wheel one that is.

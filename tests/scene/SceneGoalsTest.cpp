@@ -74,6 +74,30 @@ TEST(SceneGoals, AreChosenBeforeTheyAreChecked)
               std::string::npos);
 }
 
+/** The second disc comes later, with the goal that was chosen for the first. */
+TEST(SceneGoals, AreChosenAgainForOneMoreRobot)
+{
+    const Quiet quiet;
+    Scene scene("discs", "discs", FLOOR);
+    scene.addMember(discTo("first", {1.0, 1.0}));
+    scene.chooseGoals();
+    Scene::Member second = discTo("second", {3.0, 1.0});
+    second.goal = scene.getMembers().front().goal;
+    scene.addMember(second);
+    EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
+}
+
+TEST(SceneGoals, AreOneStateAtTheEndOfAPath)
+{
+    const Scene scene = threeDiscs({5.0, 1.0});
+    ob::ScopedState<> end(scene.makeTeam());
+    end = std::vector<double>{7.1, 7.1, 8.9, 7.1, 7.1, 8.9};
+    const Scene ending = scene.endingAt(end.get());
+    EXPECT_TRUE(scene.hasRegions());
+    EXPECT_FALSE(ending.hasRegions());
+    EXPECT_EQ(ending.makeGoal(ending.makeTeam()).reals(), end.reals());
+}
+
 TEST(SceneGoals, MustBeInTheirRegion)
 {
     Scene scene("discs", "discs", FLOOR);

@@ -1,6 +1,8 @@
 // Distances that robots keep, in scene files
 
 #include "support/ArmScenes.h"
+#include "support/ArmTexts.h"
+#include "support/Folder.h"
 #include "support/Message.h"
 
 #include "ompl_certificates/control/DynamicRobot.h"
@@ -87,6 +89,28 @@ TEST(YamlPadding, IsOneOfAllPartsOfAMechanism)
     EXPECT_NE(complaint(", link_padding: {torso: 0.01}", ", link_padding: {torso: 0.02}")
                   .find("robots[1].link_padding.torso: must be 0.01, as for another robot of the mechanism"),
               std::string::npos);
+}
+
+/** Two spheres of one mechanism, 0.15 apart: each keeps 0.1 from others, but not from the other one. */
+TEST(YamlPadding, IsNotBetweenPartsOfAMechanism)
+{
+    const Folder folder;
+    const auto side = [](const std::string &name, const std::string &child, const std::string &place)
+    { return joint(name, "revolute", "base", child, "<origin xyz='" + place + "'/><axis xyz='0 0 1'/>" + LIMIT); };
+    folder.write("t.urdf", robot(link("base", std::string()) + link("a") + link("b") + side("left", "a", "0 0.175 0") +
+                                 side("right", "b", "0 -0.175 0")));
+    folder.write("t.srdf", robot("<group name='l'><joint name='left'/></group>"
+                                 "<group name='r'><joint name='right'/></group>"));
+    const auto complaint = [&](const std::string &secondBase)
+    {
+        const std::string arm = "  - {type: urdf, file: t.urdf, srdf: t.srdf, padding: 0.1, start: [0], goal: [0], ";
+        const Scene scene = sceneFromYaml("environment: {min: [-1, -1, -1], max: [1, 1, 1]}\nrobots:\n" + arm +
+                                              "group: l}\n" + arm + "group: r" + secondBase + "}\n",
+                                          folder / "scene.yaml");
+        return messageOf([&] { scene.validate(); });
+    };
+    EXPECT_EQ(complaint(""), "");
+    EXPECT_NE(complaint(", base: {position: [0, 0, 0.01]}").find("with their padding of 0.2"), std::string::npos);
 }
 
 /** A distance that robots keep from what keeps one, too, would have two meanings. */
