@@ -238,6 +238,7 @@ TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
     const auto late = easyProblem();
     late->setPlannerAllocator([](const ob::SpaceInformationPtr &space) { return std::make_shared<og::PRM>(space); });
     late->setup();
+    EXPECT_EQ(late->getPlanner()->getName(), "PRM");
     EXPECT_FALSE(late->getProblemDefinition()->hasOptimizationObjective());
 
     const auto chosen = std::make_shared<ob::MaximizeMinClearanceObjective>(si);
