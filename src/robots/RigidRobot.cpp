@@ -1,11 +1,11 @@
 #include "ompl_certificates/robots/RigidRobot.h"
 
+#include "CarStateSpace.h"
 #include "Interpolation.h"
 #include "SpaceBounds.h"
 
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -68,7 +68,7 @@ namespace ompl_certificates
             if (!(turningRadius > 0.0) || !std::isfinite(turningRadius))
                 throw ompl::Exception(name, "the turning radius must be finite and positive, not " +
                                                 std::to_string(turningRadius));
-            auto space = std::make_shared<ob::ReedsSheppStateSpace>(turningRadius);
+            auto space = std::make_shared<CarStateSpace>(turningRadius);
             space->setBounds(bounds);
             return space;
         }

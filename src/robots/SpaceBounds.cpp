@@ -1,16 +1,28 @@
 #include "SpaceBounds.h"
 
+#include "CarStateSpace.h"
+
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
+    namespace
+    {
+        /** The class of a space. That a car's remembers its curves makes no other states of them. */
+        const std::type_info &classOf(const ob::StateSpace &space)
+        {
+            return typeid(space) == typeid(CarStateSpace) ? typeid(ob::ReedsSheppStateSpace) : typeid(space);
+        }
+    }
+
     bool areAlike(const ob::StateSpace &a, const ob::StateSpace &b)
     {
-        if (typeid(a) != typeid(b) || a.getDimension() != b.getDimension())
+        if (classOf(a) != classOf(b) || a.getDimension() != b.getDimension())
             return false;
         const auto *first = dynamic_cast<const ob::CompoundStateSpace *>(&a);
         const auto *second = dynamic_cast<const ob::CompoundStateSpace *>(&b);

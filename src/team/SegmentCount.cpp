@@ -1,5 +1,7 @@
 #include "SegmentCount.h"
 
+#include "robots/CarStateSpace.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,7 @@ namespace ompl_certificates
 
     SegmentCount::SegmentCount(const ob::StateSpacePtr &space, std::optional<double> fraction) : space_(space.get())
     {
-        isCurve_ = isOneOf<ob::DubinsStateSpace, ob::ReedsSheppStateSpace>(*space);
+        isCurve_ = isOneOf<ob::DubinsStateSpace, ob::ReedsSheppStateSpace, CarStateSpace>(*space);
         if (isCurve_ || isOneOf<ob::CompoundStateSpace, ob::SE2StateSpace, ob::SE3StateSpace>(*space))
             for (const ob::StateSpacePtr &part : space->as<ob::CompoundStateSpace>()->getSubspaces())
                 parts_.emplace_back(part, fraction);

@@ -1,5 +1,7 @@
 #include "MotionCurve.h"
 
+#include "robots/CarStateSpace.h"
+
 #include <typeinfo>
 
 namespace ompl_certificates
@@ -11,7 +13,7 @@ namespace ompl_certificates
         // Not dynamic_cast: a derived class may interpolate in another way.
         if (typeid(space) == typeid(ob::DubinsStateSpace))
             curve_ = Dubins();
-        else if (typeid(space) == typeid(ob::ReedsSheppStateSpace))
+        else if (typeid(space) == typeid(ob::ReedsSheppStateSpace) || typeid(space) == typeid(CarStateSpace))
             curve_ = ReedsShepp();
     }
 

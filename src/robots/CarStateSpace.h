@@ -1,0 +1,51 @@
+#ifndef OMPL_CERTIFICATES_ROBOTS_CAR_STATE_SPACE_
+#define OMPL_CERTIFICATES_ROBOTS_CAR_STATE_SPACE_
+
+#include <array>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+
+namespace ompl_certificates
+{
+    /** \brief Reeds and Shepp's space that remembers the last curves it found, for each thread. OMPL's tries all kinds of
+        curves for each distance and each state, and planners ask for the same again and again. Distances and states
+        are OMPL's, to the bit. */
+    class CarStateSpace : public ompl::base::ReedsSheppStateSpace
+    {
+        template <typename Path>
+        static Path curveOf(void (ReedsSheppStateSpace::*)(const ompl::base::State *, const ompl::base::State *, double,
+                                                           bool &, Path &, ompl::base::State *) const);
+
+    public:
+        /** \brief OMPL's class of curves, which has other names in other releases */
+        using Curve = decltype(curveOf(&ReedsSheppStateSpace::interpolate));
+
+        using ReedsSheppStateSpace::interpolate;
+        using ReedsSheppStateSpace::ReedsSheppStateSpace;
+
+        /** \brief The length of the curve */
+        double distance(const ompl::base::State *from, const ompl::base::State *to) const override;
+
+        /** \brief The state at \e t along the curve, which is written to \e curve if \e isNew */
+        void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t, bool &isNew,
+                         Curve &curve, ompl::base::State *state) const override;
+
+    protected:
+        /** \brief Finds the curve anew */
+        virtual Curve solve(const ompl::base::State *from, const ompl::base::State *to) const;
+
+    private:
+        /** \brief What a curve depends on: both states and the radius */
+        using Key = std::array<double, 7>;
+
+        struct Entry
+        {
+            Key key{};  // no car has the radius 0
+            Curve curve;
+        };
+
+        /** \brief The curve, remembered or found anew. It stays until the next call on this thread. */
+        const Curve &find(const ompl::base::State *from, const ompl::base::State *to) const;
+    };
+}
+
+#endif
