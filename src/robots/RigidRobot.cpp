@@ -141,7 +141,7 @@ namespace ompl_certificates
             case Space::SE3:
             {
                 const auto &a = *from->as<ob::SE3StateSpace::StateType>(), &b = *to->as<ob::SE3StateSpace::StateType>();
-                bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation()), jumpOf(a.rotation(), b.rotation())};
+                bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation())};
                 break;
             }
             case Space::REEDS_SHEPP:
@@ -152,6 +152,14 @@ namespace ompl_certificates
                 break;
             }
         }
+    }
+
+    double RigidRobot::getJump(std::size_t /*body*/, const ob::State *from, const ob::State *to) const
+    {
+        if (kind_ != Space::SE3)
+            return 0.0;
+        return jumpOf(from->as<ob::SE3StateSpace::StateType>()->rotation(),
+                      to->as<ob::SE3StateSpace::StateType>()->rotation());
     }
 
     bool RigidRobot::isLike(const Robot &other) const

@@ -30,10 +30,11 @@ namespace ompl_certificates
 
     void ContinuousMotionCheck::makeCells()
     {
-        testsJumps_ = true;
         // A number of a cell and as many again can be added.
         constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / (2 * CELLS) - 1;
         cells_ = CELLS * static_cast<int>(std::min(std::max(countSegments(), 1U), mostSegments));
+        // Nothing shorter is proved than a cell, from its middle to both ends.
+        turnsOfJump_ = 2.0 * cells_;
     }
 
     void ContinuousMotionCheck::orient()

@@ -68,11 +68,11 @@ namespace ompl_certificates
         bool settleStart();
         bool settleRest();
 
-        /** \brief Whether a subject is free where its motion ends, if it may be led beside that or jumps there. Time
-            then runs from the first state, unless it only jumps: no such motion is the same both ways. */
+        /** \brief Whether a subject is free where its motion ends, if it may be led beside that. Time then runs from
+            the first state: no such motion is the same both ways. */
         bool isEndFree(unsigned int subject)
         {
-            return !(context_.mayMissEnds || jumps_) || test(subject, 1.0).free;
+            return !context_.mayMissEnds || test(subject, 1.0).free;
         }
 
         bool reversed_{false};

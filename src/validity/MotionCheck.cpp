@@ -117,12 +117,11 @@ namespace ompl_certificates
         MotionBound *const bounds = context_.motionBounds.data() + check_.getTeam().getFirstBody(robot);
         moved.computeMotionBounds(context_.from[robot], context_.to[robot], bounds);
         context_.knowsMotionBounds[robot] = true;
-        for (std::size_t i = 0; testsJumps_ && i < moved.getBodies().size(); ++i)
-            if (bounds[i].jump > 0.0)
-            {
-                bounds[i].angular = bounds[i].jump;
-                jumps_ = true;
-            }
+        constexpr double muchTooLarge = 1e99;
+        for (std::size_t i = 0; turnsOfJump_ > 0.0 && i < moved.getBodies().size(); ++i)
+            if (bounds[i].angular > muchTooLarge)
+                if (const double jump = moved.getJump(i, context_.from[robot], context_.to[robot]); jump > 0.0)
+                    bounds[i].angular = turnsOfJump_ * jump;
     }
 
     void MotionCheck::computePairMotionBounds(unsigned int robot)

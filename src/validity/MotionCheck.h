@@ -82,12 +82,9 @@ namespace ompl_certificates
         const TeamCheck &check_;
         CheckContext &context_;
 
-        /** \brief Whether the check tests the ends of motions with jumps by themselves; see MotionBound::jump. It must
-            settle no subject at the end. */
-        bool testsJumps_{false};
-
-        /** \brief Whether some robot jumps, as far as bounds are known */
-        bool jumps_{false};
+        /** \brief For how large a turn a jump is taken (Robot::getJump()), as a multiple of it: if 1 / n, then whatever
+            is proved free for n before and after a time has room for the jump. 0 if jumps prove nothing. */
+        double turnsOfJump_{0.0};
 
         /** \brief The ends of the team's motion; null for that of some subjects */
         const ompl::base::State *const s1_{nullptr}, *const s2_{nullptr};

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Exception.h>
-#include <set>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -213,56 +212,86 @@ TEST(ContinuousMotion, AcceptsFlatBodiesNearAFloor)
     }
 }
 
-/** OMPL turns by so little only at the very end, and then at once. */
+namespace
+{
+    /** Two bars of length 2000 one above the other, and a post 0.05 beside a tip of the first. A turn of 1e-5 moves the
+        tips by 0.01. */
+    class LongBars
+    {
+    public:
+        explicit LongBars(Method method) : setup_(continuousSetup(teamOfBars(), post(), method, 0.01))
+        {
+        }
+
+        /** Where the bars move from z to -z. The first one is turned at one of the ends, the other at the second. */
+        bool move(double z, double firstTurn, double secondTurn, double otherTurn, double apart) const
+        {
+            const auto from = stateAt(z, firstTurn, 0.0, apart), to = stateAt(-z, secondTurn, otherTurn, apart);
+            const auto &si = *setup_->getSpaceInformation();
+            std::pair<ob::State *, double> until{nullptr, 1.0};
+            const bool isFree = si.checkMotion(from.get(), to.get());
+            EXPECT_EQ(si.checkMotion(to.get(), from.get()), isFree);
+            EXPECT_EQ(si.getMotionValidator()->checkMotion(from.get(), to.get(), until), isFree);
+            if (isFree)
+            {
+                const TeamValidityChecker standard(setup_->getSpaceInformation(), post());
+                EXPECT_LT(firstCollision(standard, from, to, 1.0, 500), 0.0);
+                EXPECT_LT(firstCollision(standard, to, from, 1.0, 500), 0.0);
+                EXPECT_TRUE(standard.isValid(from.get()) && standard.isValid(to.get()));
+            }
+            return isFree;
+        }
+
+    private:
+        static TeamStateSpacePtr teamOfBars()
+        {
+            const auto team = std::make_shared<TeamStateSpace>();
+            for (const char *name : {"bar", "other"})
+                team->addRobot(RigidRobot::inSE3(name, Body::box(2000.0, 0.1, 0.1), cubeBounds(3, 3.0)));
+            return team;
+        }
+
+        static ObstaclesPtr post()
+        {
+            return std::make_shared<FclObstacles>(
+                std::vector<PlacedBody>{{Body::box(0.1, 0.1, 0.1), poseAt({999.0, 0.15, 0.0})}}, 3);
+        }
+
+        ob::ScopedState<> stateAt(double z, double turn, double otherTurn, double apart) const
+        {
+            ob::ScopedState<> state(setup_->getStateSpace());
+            state = std::vector<double>{
+                0.0, 0.0,          z, 0.0, 0.0, std::sin(0.5 * turn),      std::cos(0.5 * turn),
+                0.0, -0.1 - apart, z, 0.0, 0.0, std::sin(0.5 * otherTurn), std::cos(0.5 * otherTurn)};
+            return state;
+        }
+
+        TeamSetupPtr setup_;
+    };
+}
+
+/** OMPL turns by so little only at the very end, and then at once; on the way back it turns at the other end. */
 TEST(ContinuousMotion, MayTurnByNextToNothing)
 {
-    // Its tips are 100 from the middle, so a turn of 1e-4 moves them by 0.01.
-    const Body bar = Body::box(200.0, 0.1, 0.1);
-    const auto team = std::make_shared<TeamStateSpace>();
-    team->addRobot(RigidRobot::inSE3("bar", bar, cubeBounds(3, 3.0)));
-    team->addRobot(RigidRobot::inSE3("other", bar, cubeBounds(3, 3.0)));
-    const auto post = std::make_shared<FclObstacles>(
-        std::vector<PlacedBody>{{Body::box(0.1, 0.1, 0.1), poseAt({99.0, 0.107, 0.0})}}, 3);
-    const auto turned = [](double angle) {
-        return std::vector<double>{0.0, 0.0, std::sin(0.5 * angle), std::cos(0.5 * angle)};
-    };
     for (const Method method : CERTIFIED)
     {
-        const auto setup = continuousSetup(team, post, method, 0.01);
-        const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
-        const auto stateAt = [&](double x, double turn, double otherTurn, double apart)
-        {
-            std::vector<double> numbers{x, 0.0, 0.0};
-            const auto add = [&numbers](const std::vector<double> &more)
-            { numbers.insert(numbers.end(), more.begin(), more.end()); };
-            add(turned(turn));
-            add({0.0, -0.1 - apart, 0.0});
-            add(turned(otherTurn));
-            ob::ScopedState<> state(team);
-            state = numbers;
-            return state;
-        };
+        const LongBars bars(method);
         // Time runs from the state that sorts first, so each of both must be the one that is turned.
-        const auto moves = [&](double turn, double otherTurn, double apart)
+        for (const double z : {0.5, -0.5})
         {
-            std::set<bool> verdicts;
-            for (const double end : {0.5, -0.5})
+            for (const double turn : {1e-11, 1e-7, 1e-5, -1e-5})
             {
-                const auto from = stateAt(-end, 0.0, 0.0, apart), to = stateAt(end, turn, otherTurn, apart);
-                std::pair<ob::State *, double> until{nullptr, 1.0};
-                verdicts.insert(validator.checkMotion(from.get(), to.get()));
-                verdicts.insert(validator.checkMotion(to.get(), from.get()));
-                verdicts.insert(validator.checkMotion(from.get(), to.get(), until));
+                EXPECT_TRUE(bars.move(z, 0.0, turn, turn, 0.1)) << turn;
+                EXPECT_TRUE(bars.move(z, turn, 0.0, turn, 0.1)) << turn;
             }
-            EXPECT_EQ(verdicts.size(), 1U) << turn << ", " << otherTurn;
-            return *verdicts.begin();
-        };
-        for (const double turn : {1e-11, 1e-7, 2e-5, -8e-5, -1.5e-4})
-            EXPECT_TRUE(moves(turn, turn, 0.05)) << turn;
-        // The post is 0.007 beside the bar, and the other bar 0.005 beside it.
-        EXPECT_FALSE(moves(8e-5, 0.0, 0.05)) << "only the end collides";
-        EXPECT_FALSE(moves(-8e-5, 0.0, 0.005)) << "only the end collides";
-        EXPECT_TRUE(moves(-8e-5, -8e-5, 0.005));
+            // Turned, the bar passes the post midway.
+            EXPECT_FALSE(bars.move(z, 8e-5, 0.0, 0.0, 1.0));
+            EXPECT_FALSE(bars.move(z, 0.0, 8e-5, 0.0, 1.0));
+            // The other one touches the first with a tip, but where it is turned.
+            EXPECT_TRUE(bars.move(z, 0.0, 0.0, 0.0, 0.05));
+            EXPECT_FALSE(bars.move(z, 0.0, 0.0, 8e-5, 0.05));
+            bars.move(z, -8e-5, -8e-5, -8e-5, 0.05);
+        }
     }
 }
 

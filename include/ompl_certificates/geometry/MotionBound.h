@@ -13,12 +13,6 @@ namespace ompl_certificates
         /** \brief How far the body turns, at most, in radians */
         double angular{0.0};
 
-        /** \brief If positive, the body does not turn until the very end of the motion, and there by this angle at once,
-            as OMPL does in SO(3) where both orientations are nearly equal. As no interval is short enough for a jump,
-            \e angular is then so large that it proves nothing. A check that looks at the end by itself may take this for
-            it. */
-        double jump{0.0};
-
         /** \brief The bound for the center of a ball at distance \e distance from the origin of the body's frame */
         double at(double distance) const
         {

@@ -137,6 +137,16 @@ namespace ompl_certificates
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 
+        /** \brief The angle by which a body turns at once, somewhere along that interpolation, if it does not turn
+            otherwise: OMPL jumps so in SO(3), where both orientations are nearly equal. No bound holds for a jump, so
+            that of computeMotionBounds() is then too large to prove anything, and the continuous mode leaves room for the
+            jump all along. 0 if there is none, as here. */
+        virtual double getJump(std::size_t /*body*/, const ompl::base::State * /*from*/,
+                               const ompl::base::State * /*to*/) const
+        {
+            return 0.0;
+        }
+
         /** \brief Write how fast the bodies of each pair move relative to each other along that interpolation: one
             bound per pair of getBodyPairs(), to \e pairBounds[0] and on.
 
