@@ -78,7 +78,8 @@ namespace demos
             return at(node, [&] { return generators::randomPolygons(settings); });
         }
 
-        /** The robot's bodies without their padding, where it starts and ends, and with all coordinates at their lower and upper bounds */
+        /** The robot's bodies without their padding, where it starts and ends, and with all coordinates at their lower
+            and upper bounds */
         void addBodies(const Scene::Member &member, std::vector<PlacedBody> &bodies)
         {
             constexpr double beyond = 1e12;
@@ -108,9 +109,10 @@ namespace demos
             for (const Scene::Member &member : scene.getMembers())
             {
                 addBodies(member, bodies);
-                for (const Body &body : member.robot->getBodies())
-                    if (body.getPadding() > 0.0)
-                        pairs += ' ' + boost::lexical_cast<std::string>(body.getPadding());
+                const std::vector<Body> &own = member.robot->getBodies();
+                for (std::size_t i = 0; i < own.size(); ++i)
+                    if (own[i].getPadding() > 0.0)
+                        pairs += ' ' + std::to_string(i) + '+' + boost::lexical_cast<std::string>(own[i].getPadding());
                 for (const BodyPair &pair : member.robot->getBodyPairs())
                     pairs += ' ' + std::to_string(pair.first) + '-' + std::to_string(pair.second);
                 pairs += ';';

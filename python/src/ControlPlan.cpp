@@ -133,7 +133,8 @@ namespace ompl_certificates_python
                 py::arg("checker") = py::none(),
                 "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
                 "mode looks: among the obstacles that the scene had when the plan was made, or those that a checker has "
-                "now, such as one of the same scene that is told what a sensor sees. In a step that is not proved a "
+                "now: the one that is passed, such as one of the same scene that is told what a sensor sees, or that the "
+                "plan was made with. In a step that is not proved a "
                 "hundred states are looked at until one collides. Raises Error if there is no path.")
             .def("save", &save, py::arg("file"),
                  "Write times, states and controls as a table of comma-separated values (docs/controls.md).")

@@ -181,8 +181,13 @@ namespace ompl_certificates_python
             const auto planning = checker ? checker->beginPlanning() : nullptr;
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
-            const auto scene = std::make_shared<const Scene>(
-                withEnds(checker ? checker->getScene(nullptr, nullptr) : original, start, goal));
+            const Scene now = [&]
+            {
+                // Another thread may be changing the obstacles.
+                const GilRelease release;
+                return checker ? checker->getScene(nullptr, nullptr) : original;
+            }();
+            const auto scene = std::make_shared<const Scene>(withEnds(now, start, goal));
             if (options.planner.empty())
                 options.planner = defaultControlPlanner(static_cast<unsigned int>(scene->getMembers().size()));
 

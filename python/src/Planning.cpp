@@ -256,6 +256,8 @@ namespace ompl_certificates_python
             plan.planner = setup.getPlanner();
             // It shows the goal that the path ends at.
             const ob::ScopedState<> goal = goalOf(setup);
+            // Another thread may be changing the obstacles.
+            const GilRelease release;
             plan.scene = std::make_shared<const Scene>(
                 checker->getScene(setup.getProblemDefinition()->getStartState(0),
                                   plan.report.solved ? setup.getSolutionPath().getStates().back() : goal.get()));

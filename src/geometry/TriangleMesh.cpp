@@ -6,11 +6,9 @@
 #include "Weld.h"
 
 #include <algorithm>
-#include <boost/functional/hash.hpp>
 #include <cmath>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
-#include <unordered_set>
 
 namespace ompl_certificates
 {
@@ -19,34 +17,17 @@ namespace ompl_certificates
         /** Squares of larger ones would not fit into the single precision of a TriangleTree. */
         constexpr double LARGEST_COORDINATE = 1e15;
 
-        using Place = std::array<double, 3>;
-
-        /** A place, with one kind of zero */
-        Place placeOf(const Eigen::Vector3d &point)
+        /** Whether a triangle without area, of these corners, leaves the triangles of a tree somewhere. Slivers lie in
+            their neighbors, be it in the middle of an edge. */
+        bool isWire(const TriangleTree &tree, const TriangleTree::Corners &corners, double tolerance)
         {
-            return {point.x() + 0.0, point.y() + 0.0, point.z() + 0.0};
-        }
-
-        /** How many of some triangles, \e wires, have a corner where no triangle with an area has one, so that what they
-            touch need not touch a neighbor */
-        std::size_t countLone(const std::vector<Eigen::Vector3d> &vertices,
-                              const std::vector<TriangleMesh::Triangle> &triangles, const std::vector<bool> &hasArea,
-                              const std::vector<std::size_t> &wires)
-        {
-            std::unordered_set<Place, boost::hash<Place>> alone;
-            for (const std::size_t wire : wires)
-                for (const std::uint32_t corner : triangles[wire])
-                    alone.insert(placeOf(vertices[corner]));
-            for (std::size_t i = 0; i < triangles.size() && !alone.empty(); ++i)
-                if (hasArea[i])
-                    for (const std::uint32_t corner : triangles[i])
-                        alone.erase(placeOf(vertices[corner]));
-            const auto isAlone = [&](std::size_t wire)
-            {
-                return std::any_of(triangles[wire].begin(), triangles[wire].end(),
-                                   [&](std::uint32_t corner) { return alone.count(placeOf(vertices[corner])) != 0; });
-            };
-            return static_cast<std::size_t>(std::count_if(wires.begin(), wires.end(), isAlone));
+            const auto &[a, b, c] = corners;
+            constexpr int pieces = 4;
+            for (const auto &[from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+                for (int i = 0; i < pieces; ++i)
+                    if (tree.distance(from + i * (to - from) / pieces, 2.0 * tolerance) > tolerance)
+                        return true;
+            return false;
         }
     }
 
@@ -70,13 +51,11 @@ namespace ompl_certificates
                 farthest = std::max(farthest, vertices_[corner].norm());
             }
         leastHeight_ = std::max(0.5e-7 * bounds_.diagonal().norm(), 1e-12 * farthest);
-        std::vector<bool> hasArea(triangles_.size());
-        std::vector<std::size_t> wires;
+        std::vector<std::size_t> thin;
         std::size_t degenerate = 0, small = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i)
         {
-            hasArea[i] = !isDegenerate(i);
-            if (hasArea[i])
+            if (!isDegenerate(i))
                 continue;
             ++degenerate;
             const auto [a, b, c] = getCorners(i);
@@ -84,7 +63,7 @@ namespace ompl_certificates
             const bool isThin = !((b - a).cross(c - a).norm() > 1e-3 * longest);
             small += isThin ? 0 : 1;
             if (isThin && longest > leastHeight_ * leastHeight_)
-                wires.push_back(i);
+                thin.push_back(i);
         }
         if (degenerate == triangles_.size())
             throw ompl::Exception("None of the " + std::to_string(triangles_.size()) +
@@ -94,11 +73,15 @@ namespace ompl_certificates
                 "A mesh is %g in size, and up to %g away from its origin, so %zu of its %zu triangles are too small "
                 "to be checked. Give what is so large a mesh of its own",
                 bounds_.diagonal().norm(), farthest, small, triangles_.size());
-        if (const std::size_t lone = wires.empty() ? 0 : countLone(vertices_, triangles_, hasArea, wires))
+        const double tolerance = 1e-5 * bounds_.diagonal().norm() + 1e-6 * farthest;
+        const auto wires =
+            std::count_if(thin.begin(), thin.end(),
+                          [&](std::size_t triangle) { return isWire(getTree(), getCorners(triangle), tolerance); });
+        if (wires > 0)
             OMPL_WARN(
-                "%zu of the %zu triangles of a mesh have no area, and a corner where no other triangle has one. They are "
-                "not checked: give wires and fences a thickness",
-                lone, triangles_.size());
+                "%zu of the %zu triangles of a mesh are wires without an area, which are not checked: give them a "
+                "thickness",
+                static_cast<std::size_t>(wires), triangles_.size());
     }
 
     TriangleMesh::~TriangleMesh() = default;

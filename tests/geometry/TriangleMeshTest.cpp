@@ -89,17 +89,18 @@ TEST(TriangleMesh, WarnsOfTrianglesWithoutAreaThatStandAlone)
 {
     const auto warningsOf = [](const Eigen::Vector3d &end)
     {
-        const Warnings warnings("1 of the 3 triangles of a mesh have no area");
-        // Its corners are not those of the others by their numbers, but by their places.
-        const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-0.0, 0, 0}, {1, 0, 0}, end},
-                                {{0, 1, 2}, {0, 3, 1}, {4, 5, 6}});
+        const Warnings warnings("1 of the 3 triangles of a mesh are wires");
+        const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {4, 0, 0}, {5, 0, 0}, {4, 1, 0}, {1, 0, 0}, end},
+                                {{0, 1, 2}, {3, 4, 5}, {0, 6, 7}});
         EXPECT_TRUE(mesh.isDegenerate(2));
         return warnings.count;
     };
     EXPECT_EQ(warningsOf({1, 0, 0}), 0U);
-    EXPECT_EQ(warningsOf({4, 0, 0}), 1U);
+    EXPECT_EQ(warningsOf({0.3, 0, 0}), 0U) << "in the middle of an edge";
+    EXPECT_EQ(warningsOf({2, 0, 0}), 1U);
+    EXPECT_EQ(warningsOf({4, 0, 0}), 1U) << "from a corner to a corner of another";
     // A point is none.
-    const Warnings warnings("no area");
+    const Warnings warnings("wires");
     const TriangleMesh point({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {{0, 1, 2}, {3, 3, 3}});
     EXPECT_EQ(warnings.count, 0U);
 }

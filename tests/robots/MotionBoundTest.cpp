@@ -81,9 +81,12 @@ namespace
                     // A jump may come at any time, and is all that the body turns by.
                     const MotionBound &own = bounds[i / offsets.size()];
                     const double offset = offsets[i % offsets.size()].norm();
-                    if (const double jump = robot.getJump(i / offsets.size(), from.get(), to.get()); jump > 0.0)
+                    const double jump = robot.getJump(i / offsets.size(), from.get(), to.get());
+                    if (jump > 0.0)
+                    {
                         ASSERT_LE(distance, own.linear * (times[b] - times[a]) + jump * offset * (1.0 + 1e-9) + 1e-11)
                             << "from " << times[a] << " to " << times[b] << " with a jump";
+                    }
                 }
     }
 

@@ -19,8 +19,9 @@ namespace ompl_certificates
 
         Open, duplicated and degenerate triangles are normal input. Degenerate ones have practically no area (see
         isDegenerate()). They are kept, but never collide and have no clearance: FCL's triangle test is undefined for
-        them, and what they touch is touched by their neighbors. A warning tells where it is not: of a part that is a
-        ten-millionth as large as the whole, and of a wire, where no other triangle has a corner. */
+        them, and what they touch is touched by their neighbors. Two kinds are not, and are not checked; a warning
+        tells of them: parts that are a ten-millionth as large as the whole, and wires, which leave all other
+        triangles. */
     class TriangleMesh
     {
     public:

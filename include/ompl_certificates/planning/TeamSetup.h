@@ -43,8 +43,8 @@ namespace ompl_certificates
         void setup() override;
 
         /** \brief Prepare a planner that others run, such as one of an ompl::tools::Benchmark, as setup() does its own:
-            give it the problem, a range for teams and the structure for near states, and set it up, unless that was done.
-            It must be without a tree.
+            set it up with the problem and a range for teams, and give it the structure for near states. One that is set
+            up already keeps its range. It must be without a tree.
             \throws ompl::Exception if it is of another space information */
         void prepare(ompl::base::Planner &planner) const;
 
