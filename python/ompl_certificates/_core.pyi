@@ -704,9 +704,10 @@ class ControlPlan:
         calls prove(), unless that was done before."""
     def prove(self, checker: Optional[Checker] = None) -> Proof:
         """Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete mode
-        looks: among the obstacles that the scene had when the plan was made, or those that a checker has now, such as
-        one of the same scene that is told what a sensor sees. In a step that is not proved a hundred states are looked
-        at until one collides. Raises Error if there is no path."""
+        looks: among the obstacles that the scene had when the plan was made, or those that a checker has now: the one
+        that is passed, such as one of the same scene that is told what a sensor sees, or that the plan was made with.
+        In a step that is not proved a hundred states are looked at until one collides. Raises Error if there is no
+        path."""
     def save(self, file: Path) -> None:
         """Write times, states and controls as a table of comma-separated values (docs/controls.md)."""
     def save_report(self, file: Path) -> None:
