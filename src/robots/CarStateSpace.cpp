@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <ompl/base/ScopedState.h>
 #include <vector>
 
 namespace ompl_certificates

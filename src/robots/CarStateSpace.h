@@ -1,23 +1,20 @@
 #ifndef OMPL_CERTIFICATES_ROBOTS_CAR_STATE_SPACE_
 #define OMPL_CERTIFICATES_ROBOTS_CAR_STATE_SPACE_
 
+#include "CurveOf.h"
+
 #include <array>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
 namespace ompl_certificates
 {
-    /** \brief Reeds and Shepp's space that remembers the last curves it found, for each thread. OMPL's tries all kinds of
-        curves for each distance and each state, and planners ask for the same again and again. Distances and states
+    /** \brief Reeds and Shepp's space that remembers the last curves it found, for each thread. OMPL's tries all kinds
+        of curves for each distance and each state, and planners ask for the same again and again. Distances and states
         are OMPL's, to the bit. */
     class CarStateSpace : public ompl::base::ReedsSheppStateSpace
     {
-        template <typename Path>
-        static Path curveOf(void (ReedsSheppStateSpace::*)(const ompl::base::State *, const ompl::base::State *, double,
-                                                           bool &, Path &, ompl::base::State *) const);
-
     public:
-        /** \brief OMPL's class of curves, which has other names in other releases */
-        using Curve = decltype(curveOf(&ReedsSheppStateSpace::interpolate));
+        using Curve = CurveOf<ompl::base::ReedsSheppStateSpace>;
 
         using ReedsSheppStateSpace::interpolate;
         using ReedsSheppStateSpace::ReedsSheppStateSpace;

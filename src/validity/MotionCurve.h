@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_MOTION_CURVE_
 #define OMPL_CERTIFICATES_VALIDITY_MOTION_CURVE_
 
+#include "robots/CurveOf.h"
+
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <variant>
@@ -43,13 +45,8 @@ namespace ompl_certificates
         {
         };
 
-        /** \brief The class of a space's curves, which has other names in other releases of OMPL */
-        template <typename Space, typename Path>
-        static Path curveOf(void (Space::*)(const ompl::base::State *, const ompl::base::State *, double, bool &,
-                                            Path &, ompl::base::State *) const);
-
-        using Dubins = decltype(curveOf(&ompl::base::DubinsStateSpace::interpolate));
-        using ReedsShepp = decltype(curveOf(&ompl::base::ReedsSheppStateSpace::interpolate));
+        using Dubins = CurveOf<ompl::base::DubinsStateSpace>;
+        using ReedsShepp = CurveOf<ompl::base::ReedsSheppStateSpace>;
 
         const ompl::base::StateSpace &space_;
         std::variant<None, Dubins, ReedsShepp> curve_;

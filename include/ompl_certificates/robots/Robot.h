@@ -138,9 +138,9 @@ namespace ompl_certificates
                                          MotionBound *bounds) const = 0;
 
         /** \brief The angle by which a body turns at once, somewhere along that interpolation, if it does not turn
-            otherwise: OMPL jumps so in SO(3), where both orientations are nearly equal. No bound holds for a jump, so
-            that of computeMotionBounds() is then too large to prove anything, and the continuous mode leaves room for the
-            jump all along. 0 if there is none, as here. */
+            otherwise: OMPL jumps so in SO(3), where both orientations are nearly equal. No bound holds for a jump. So
+            that of computeMotionBounds() is then too large to prove anything, and the continuous mode leaves room for
+            the jump all along. 0 if there is none, as here. */
         virtual double getJump(std::size_t /*body*/, const ompl::base::State * /*from*/,
                                const ompl::base::State * /*to*/) const
         {
