@@ -1,6 +1,5 @@
 #include "CarStateSpace.h"
 
-#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -14,15 +13,20 @@ namespace ompl_certificates
         constexpr unsigned int INDEX_BITS = 12;
         constexpr std::size_t CURVES = std::size_t(1) << INDEX_BITS;
 
+        std::array<std::uint64_t, 7> bitsOf(const std::array<double, 7> &values)
+        {
+            std::array<std::uint64_t, 7> bits;
+            std::memcpy(&bits, &values, sizeof bits);
+            return bits;
+        }
+
         template <typename Key>
         std::size_t indexOf(const Key &key)
         {
             constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
             std::uint64_t hash = 0;
-            for (const double value : key)
+            for (const std::uint64_t bits : key)
             {
-                std::uint64_t bits;
-                std::memcpy(&bits, &value, sizeof bits);
                 hash = (hash ^ bits) * factor;
                 hash ^= hash >> 32U;
             }
@@ -46,10 +50,9 @@ namespace ompl_certificates
     {
         thread_local std::vector<Entry> curves(CURVES);
         const auto *a = from->as<StateType>(), *b = to->as<StateType>();
-        const Key key{a->getX(), a->getY(), a->getYaw(), b->getX(), b->getY(), b->getYaw(), rho_};
+        const Key key = bitsOf({a->getX(), a->getY(), a->getYaw(), b->getX(), b->getY(), b->getYaw(), rho_});
         Entry &entry = curves[indexOf(key)];
-        // By their bits: 0 is not -0, and a state that is not a number is itself.
-        if (std::memcmp(&entry.key, &key, sizeof key) != 0)
+        if (entry.key != key)
             entry = {key, solve(from, to)};
         return entry.curve;
     }

@@ -4,6 +4,7 @@
 #include "CurveOf.h"
 
 #include <array>
+#include <cstdint>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
 namespace ompl_certificates
@@ -31,8 +32,9 @@ namespace ompl_certificates
         virtual Curve solve(const ompl::base::State *from, const ompl::base::State *to) const;
 
     private:
-        /** \brief What a curve depends on: both states and the radius */
-        using Key = std::array<double, 7>;
+        /** \brief What a curve depends on, both states and the radius, as the bits of these numbers: 0 is not -0, and
+            what is not a number is itself */
+        using Key = std::array<std::uint64_t, 7>;
 
         struct Entry
         {
