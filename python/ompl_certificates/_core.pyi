@@ -622,6 +622,27 @@ class Proof:
         """What collides there, in a few words; None if nothing was found"""
     def __bool__(self) -> bool: ...
 
+class PassingOrder:
+    """Which robot passes first wherever the ways of two robots of a plan cross, for robots that may be late. The plan
+    is cut into stages in time. Each robot drives its stages one after the other at its own pace, and begins one only
+    when may_begin() says so: then no two robots touch, and none waits forever."""
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """When the stages begin and end in the plan, of shape (stages + 1,): stage i is from times[i] to times[i +
+        1]"""
+    @property
+    def waits(self) -> NDArray[np.int64]:
+        """What robots wait for, of shape (n, 4): robot, stage, other, other_stage. The robot begins that stage only
+        after the other one has ended its other_stage. By robots and then by stages; what earlier waits imply is left
+        out."""
+    @property
+    def meetings(self) -> NDArray[np.int64]:
+        """Which robots must drive which stages together, as the plan does, since they are too close to each other
+        there, of shape (m, 3): first, second, stage. They wait for each other before it. Smaller stages leave fewer."""
+    def may_begin(self, robot: Whole, ended: Union[Sequence[Whole], NDArray[Any]]) -> bool:
+        """Whether a robot, by its index in the scene, may begin its next stage, if each robot has ended that many
+        stages. False if it has ended all."""
+
 class Plan:
     """What came of a plan"""
     @property
@@ -651,6 +672,9 @@ class Plan:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
         looked at until one collides. Raises Error if there is no path."""
+    def passing_order(self, step: Number) -> PassingOrder:
+        """Which robot passes first wherever the ways of two robots cross, for robots that may be late, in stages of at
+        most so much time. Raises Error if there is no path, or step is not positive."""
     def save(self, file: Path, *, step: Optional[Number] = None) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line at each
         multiple of it in time, too, such as the period of a controller."""

@@ -27,6 +27,7 @@ namespace ompl_certificates_python
     void bindScenes(pybind11::module_ &module);
     void bindChecker(pybind11::module_ &module);
     void bindProof(pybind11::module_ &module);
+    void bindPassingOrder(pybind11::module_ &module);
     void bindPlanning(pybind11::module_ &module);
     void bindControlPlanning(pybind11::module_ &module);
 }

@@ -116,7 +116,7 @@ namespace ompl_certificates_python
         py::class_<ControlPlan> plan(module, "ControlPlan", "What came of a plan by controls");
         forbidNew(plan, "plan_controls() makes plans by controls");
         bindOutcome(plan);
-        plan.def("__repr__", &describe)
+        plan.def("__repr__", py::overload_cast<const ControlPlan &>(&describe))
             .def_property_readonly("cost", &durationOf,
                                    "The duration of the path, in seconds; infinite without a solution")
             .def_readonly("path", &ControlPlan::path,

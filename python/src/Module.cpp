@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, module)
     ompl_certificates_python::bindScenes(module);
     ompl_certificates_python::bindChecker(module);
     ompl_certificates_python::bindProof(module);
+    ompl_certificates_python::bindPassingOrder(module);
     ompl_certificates_python::bindPlanning(module);
     ompl_certificates_python::bindControlPlanning(module);
 }

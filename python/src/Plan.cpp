@@ -1,7 +1,9 @@
 #include "Plan.h"
 
 #include "Bindings.h"
+#include "Gil.h"
 
+#include <ompl_certificates/planning/PassingOrder.h>
 #include <ompl_certificates/planning/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
 #include <ompl_certificates/team/TimedPath.h>
@@ -59,6 +61,14 @@ namespace ompl_certificates_python
             return statesAt(times, plan.solution->getSpaceInformation()->getStateSpace(),
                             [&](double time, ob::State *state) { path.computeState(time, state); });
         }
+
+        PassingOrder passingOrder(const Plan &plan, double step)
+        {
+            if (!plan.solution)
+                throw ompl::Exception("passing_order", "there is no path");
+            const GilRelease release;
+            return {*plan.solution, plan.checker->getSetup().getTeamChecker(), step};
+        }
     }
 
     Proof prove(Plan &plan)
@@ -92,6 +102,10 @@ namespace ompl_certificates_python
                  "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
                  "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
                  "times as dense are looked at until one collides. Raises Error if there is no path.")
+            .def(
+                "passing_order", &passingOrder, py::arg("step"),
+                "Which robot passes first wherever the ways of two robots cross, for robots that may be late, in stages "
+                "of at most so much time. Raises Error if there is no path, or step is not positive.")
             .def("save", &savePath, py::arg("file"), py::kw_only(), py::arg("step") = py::none(),
                  "Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line "
                  "at each multiple of it in time, too, such as the period of a controller.")

@@ -98,7 +98,7 @@ namespace ompl_certificates_python
             return Doubles(static_cast<py::ssize_t>(values.size()), values.data());
         }
 
-        std::string describe(const Scene &scene)
+        std::string describeScene(const Scene &scene)
         {
             const auto count = [](std::size_t number, const std::string &what)
             { return std::to_string(number) + " " + what + (number == 1 ? "" : "s"); };
@@ -132,7 +132,7 @@ namespace ompl_certificates_python
                                 "the scene's unit, angles in radians.");
         bindBuilding(scene);
         bindSensed(scene);
-        scene.def("__repr__", &describe)
+        scene.def("__repr__", &describeScene)
             .def_property_readonly("name", &Scene::getName, "What the scene is called")
             .def_property_readonly("dimension", &Scene::getDimension, "The dimension of the workspace: 2 or 3")
             .def_property_readonly(
