@@ -83,7 +83,7 @@ Parameter = Union[str, bool, np.bool_, Number]
 
 def _require_range(name: str, number: object, most: Whole) -> None:
     """Raise an Error that names an argument which is no whole number from 1 to most."""
-    if not isinstance(number, (int, np.integer)):
+    if isinstance(number, bool) or not isinstance(number, (int, np.integer)):
         raise Error(f"{name}: must be a whole number, not {number!r}")
     if not 1 <= number <= most:
         raise Error(f"{name}: must be from 1 to {most}, not {number}")

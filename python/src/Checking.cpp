@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Changes.h"
 #include "Gil.h"
+#include "Numbers.h"
 #include "Proof.h"
 #include "Reports.h"
 
@@ -189,9 +190,10 @@ namespace ompl_certificates_python
                 "Read what another run knew of the same obstacles, and return the number of certificates.")
             .def(
                 "set_max_certificates",
-                [](Checker &self, const std::optional<std::size_t> &most) {
+                [](Checker &self, const std::optional<Number> &most)
+                {
                     self.getSetup().getTeamChecker()->setMaxCertificates(
-                        most.value_or(std::numeric_limits<std::size_t>::max()));
+                        most.value_or(Number{std::numeric_limits<std::size_t>::max()}));
                 },
                 py::arg("most"),
                 "Keep at most so many certificates, of obstacles and of pairs of robots together, or as many as come "

@@ -4,6 +4,7 @@
 #include "DynamicRobots.h"
 #include "Gil.h"
 #include "Goals.h"
+#include "Numbers.h"
 #include "Signals.h"
 
 #include <ompl_certificates/robots/Arm.h>
@@ -129,8 +130,8 @@ namespace ompl_certificates_python
         }
 
         /** States of a goal, one a row: fewer than \e count if no more are found */
-        Doubles sampleGoal(const std::shared_ptr<Robot> &robot, const py::object &object, unsigned int count,
-                           unsigned int seed)
+        Doubles sampleGoal(const std::shared_ptr<Robot> &robot, const py::object &object, const Number &count,
+                           const Number &seed)
         {
             const RobotGoalPtr goal = toRobotGoal(robot, object);
             const auto &space = robot->getStateSpace();

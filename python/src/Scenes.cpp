@@ -3,6 +3,7 @@
 #include "Gil.h"
 #include "Goals.h"
 #include "Mappings.h"
+#include "Numbers.h"
 #include "Outcome.h"
 #include "SensedObstacles.h"
 
@@ -172,8 +173,9 @@ namespace ompl_certificates_python
             .def_property("resolution", &Scene::getResolution, &Scene::setResolution,
                           "The longest step between samples of a motion, as a fraction of each robot's extent: from "
                           "1e-6 to below 1, or 0 for OMPL's own")
-            .def("first_robots", &Scene::withFirstRobots, py::arg("count"),
-                 "The same scene with the first robots alone")
+            .def(
+                "first_robots", [](const Scene &self, const Number &count) { return self.withFirstRobots(count); },
+                py::arg("count"), "The same scene with the first robots alone")
             .def(
                 "validate",
                 [](const Scene &self)

@@ -168,6 +168,19 @@ def test_bools_are_no_numbers_of_obstacles(room: oc.Scene) -> None:
         for wrong in (False, True, np.bool_(False), -1):
             with pytest.raises(TypeError):
                 call(wrong)
+    counts: List[Callable[[Any], object]] = [
+        room.first_robots,
+        checker.set_max_certificates,
+        lambda count: room.robots[0].sample_goal(oc.Zone([1, 1], [2, 2]), count),
+    ]
+    for count in counts:
+        for wrong in (True, np.bool_(True), -1):
+            with pytest.raises(TypeError):
+                count(wrong)
+    for name in ("seed", "iterations"):
+        for wrong in (True, np.bool_(True)):
+            with pytest.raises(oc.Error, match=f"^{name}: must be a whole number, not "):
+                oc.plan(room, time=1, **{name: wrong})  # type: ignore[arg-type]
     assert cloud == 0 and not checker.is_valid([5, 5, 1, 1])
     with pytest.raises(oc.Error, match="^remove: obstacle 0 is there twice$"):
         checker.change_obstacles(remove=[0, 0])

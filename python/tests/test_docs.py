@@ -37,7 +37,7 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
     snippets = []
     for page in ("README.md", "docs/python.md"):
         snippets += re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 19
+    assert len(snippets) == 20
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))

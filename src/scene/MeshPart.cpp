@@ -45,15 +45,24 @@ namespace ompl_certificates
             return flat;
         }
 
-        /** Whether the corner \e ear of a polygon can be cut off: it is convex, and no other corner lies within */
-        bool isEar(const std::vector<Eigen::Vector2d> &corners, std::size_t ear)
+        /** Whether the corner \e ear of a polygon can be cut off: it is convex, and no other corner lies within, nor on
+            the edges if \e edgesCount. Cut off with one on its edge, it may leave a rest that crosses itself. */
+        bool isEar(const std::vector<Eigen::Vector2d> &corners, std::size_t ear, bool edgesCount)
         {
             const std::size_t count = corners.size();
             const Eigen::Vector2d &a = corners[(ear + count - 1) % count], &b = corners[ear],
                                   &c = corners[(ear + 1) % count];
+            // What rounding leaves of an area of zero
+            const double zero = 1e-12 * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+            const auto isOnOrWithin = [&](const Eigen::Vector2d &point)
+            {
+                return point != a && point != b && point != c && area(a, b, point) >= -zero &&
+                       area(b, c, point) >= -zero && area(c, a, point) >= -zero;
+            };
             const auto isWithin = [&](const Eigen::Vector2d &point)
             { return area(a, b, point) > 0.0 && area(b, c, point) > 0.0 && area(c, a, point) > 0.0; };
-            return area(a, b, c) >= 0.0 && std::none_of(corners.begin(), corners.end(), isWithin);
+            return edgesCount ? area(a, b, c) >= -zero && std::none_of(corners.begin(), corners.end(), isOnOrWithin)
+                              : area(a, b, c) >= 0.0 && std::none_of(corners.begin(), corners.end(), isWithin);
         }
     }
 
@@ -94,7 +103,7 @@ namespace ompl_certificates
         {
             ear %= count;
             std::size_t tries = 0;
-            for (; tries < count && !isEar(flat, ear); ++tries)
+            for (; tries < 2 * count && !isEar(flat, ear, tries < count); ++tries)
                 ear = (ear + 1) % count;
             if ((work += (tries + 1) * count) > MOST_STEPS)
                 throw std::runtime_error("it has polygons with too many corners");

@@ -91,7 +91,8 @@ namespace ompl_certificates
             {
             }
 
-            MeshPart run(std::size_t &work)
+            /** \param work counts the steps of cutting polygons */
+            void run(std::size_t &work)
             {
                 readHeader();
                 for (const Element &element : elements_)
@@ -100,7 +101,16 @@ namespace ompl_certificates
                         readInstance(element, work);
                 if (isText_ ? nextFullLine() : !rest_.empty())
                     fail("there is more than the header speaks of");
+            }
+
+            MeshPart takeMesh()
+            {
                 return std::move(part_);
+            }
+
+            std::vector<Eigen::Vector3d> takePoints()
+            {
+                return std::move(points_);
             }
 
         private:
@@ -228,7 +238,10 @@ namespace ompl_certificates
                     return;
                 if (!isPoint(point))
                     fail(NO_POINT);
-                part_.add({point, normal.cast<float>(), texture.cast<float>()});
+                if (needsFaces_)
+                    part_.add({point, normal.cast<float>(), texture.cast<float>()});
+                else
+                    points_.push_back(point);
             }
 
             double value(const PlyType &type)
@@ -262,6 +275,8 @@ namespace ompl_certificates
             LineReader text_;
             const bool needsFaces_;
             MeshPart part_;
+            /** Without faces, of which there may be more than corners of a mesh */
+            std::vector<Eigen::Vector3d> points_;
             std::vector<Element> elements_;
             bool isText_{true}, isBigEndian_{false};
         };
@@ -269,18 +284,17 @@ namespace ompl_certificates
 
     void readPly(std::string_view content, MeshCollector &mesh)
     {
-        MeshPart part = PlyReader(content, true).run(mesh.work);
+        PlyReader reader(content, true);
+        reader.run(mesh.work);
+        MeshPart part = reader.takeMesh();
         mesh.add(part);
     }
 
     std::vector<Eigen::Vector3d> readPlyPoints(std::string_view content)
     {
         std::size_t work = 0;
-        const MeshPart part = PlyReader(content, false).run(work);
-        std::vector<Eigen::Vector3d> points;
-        points.reserve(part.vertices.size());
-        for (const MeshPart::Vertex &vertex : part.vertices)
-            points.push_back(vertex.point);
-        return points;
+        PlyReader reader(content, false);
+        reader.run(work);
+        return reader.takePoints();
     }
 }

@@ -45,20 +45,28 @@ namespace ompl_certificates
             std::size_t width{0}, height{0}, channels{0}, depth{0}, bytesOfARow{0}, bytesOfAPackedRow{0};
         };
 
-        /** libpng jumps out of its functions where it fails. So these two have no objects that must be destroyed.
+        /** libpng jumps out of its functions where it fails. So these three have no objects that must be destroyed.
             \return whether it went well */
-        bool readHeader(png_structp png, png_infop info, PngHeader &header)
+        bool readSize(png_structp png, png_infop info, PngHeader &header)
         {
             if (setjmp(png_jmpbuf(png)) != 0)
                 return false;
             png_read_info(png, info);
+            header.width = png_get_image_width(png, info);
+            header.height = png_get_image_height(png, info);
             header.bytesOfAPackedRow = png_get_rowbytes(png, info);
+            return true;
+        }
+
+        /** Takes memory for some rows */
+        bool readKind(png_structp png, png_infop info, PngHeader &header)
+        {
+            if (setjmp(png_jmpbuf(png)) != 0)
+                return false;
             // Palettes become colors, fewer bits eight, and a transparent color an opacity.
             png_set_expand(png);
             png_set_interlace_handling(png);
             png_read_update_info(png, info);
-            header.width = png_get_image_width(png, info);
-            header.height = png_get_image_height(png, info);
             header.channels = png_get_channels(png, info);
             header.depth = png_get_bit_depth(png, info) / 8U;
             header.bytesOfARow = png_get_rowbytes(png, info);
@@ -106,15 +114,17 @@ namespace ompl_certificates
         const auto failAsDamaged = [&]
         { throw ompl::Exception("it is no image of PNG, or is damaged: " + std::string(source.error.data())); };
         PngHeader header;
-        if (!readHeader(png.get(), info.get(), header))
+        if (!readSize(png.get(), info.get(), header))
             failAsDamaged();
         width_ = header.width;
         height_ = header.height;
-        channels_ = header.channels;
-        depth_ = header.depth;
         if (std::max(width_, height_) > mostAlong)
             throw ompl::Exception("it has " + std::to_string(width_) + " x " + std::to_string(height_) +
                                   " pixels, more than " + std::to_string(mostAlong) + " along an edge");
+        if (!readKind(png.get(), info.get(), header))
+            failAsDamaged();
+        channels_ = header.channels;
+        depth_ = header.depth;
         if (header.bytesOfARow * height_ > mostBytes)
             throw ompl::Exception("its pixels take " + std::to_string(header.bytesOfARow * height_) +
                                   " bytes, more than " + std::to_string(mostBytes));

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,29 +24,114 @@ namespace ompl_certificates
             return first == std::string_view::npos || line[first] == '#' || line.substr(first, 2) == "//";
         }
 
-        /** Which words of a line are x, y and z */
-        using Columns = std::array<std::size_t, 3>;
+        using Words = std::vector<std::string_view>;
 
-        /** Reads the names of columns
-            \return whether x, y and z are among \e words */
-        bool findColumns(const std::vector<std::string_view> &words, const LineReader &text, Columns &columns)
+        /** Which columns are x, y and z, and how many have names */
+        struct Columns
         {
-            std::array<int, 3> found{};
-            for (std::size_t i = 0; i < words.size(); ++i)
+            std::array<std::size_t, 3> of{0, 1, 2};
+            std::size_t named{0};
+
+            std::size_t getLast() const
             {
-                std::string name = boost::algorithm::to_lower_copy(std::string(words[i]));
-                name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
-                const std::size_t axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : 3;
-                if (axis < 3)
+                return *std::max_element(of.begin(), of.end());
+            }
+        };
+
+        /** The words of the line, but no more than \e most */
+        Words wordsOf(LineReader &text, std::size_t most = SIZE_MAX)
+        {
+            Words words;
+            for (std::string_view word = text.next(); !word.empty(); word = text.next())
+            {
+                words.push_back(word);
+                if (words.size() == most)
+                    break;
+            }
+            return words;
+        }
+
+        bool isUnit(std::string_view text)
+        {
+            return !text.empty() && (text.front() == '(' || text.front() == '[');
+        }
+
+        /** x, y or z, which may be quoted, and followed by a unit: "X (m)" in a file of commas is X_(m) here. Else 3 */
+        std::size_t axisOf(std::string_view word)
+        {
+            std::string name = boost::algorithm::to_lower_copy(std::string(word));
+            name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+            if (name.empty() || name[0] < 'x' || name[0] > 'z')
+                return 3;
+            const std::string_view rest =
+                std::string_view(name).substr(std::min(name.find_first_not_of('_', 1), name.size()));
+            return name.size() == 1 || isUnit(rest) ? static_cast<std::size_t>(name[0] - 'x') : 3;
+        }
+
+        /** Reads the names of columns; none if x, y and z are not among \e words, once each
+            \param complaining complains if one of them is there twice; may be null */
+        std::optional<Columns> findColumns(const Words &words, const LineReader *complaining)
+        {
+            Columns columns;
+            std::array<int, 3> found{};
+            for (const std::string_view word : words)
+            {
+                // A unit stands alone where blanks are between the columns.
+                if (isUnit(word))
+                    continue;
+                if (const std::size_t axis = axisOf(word); axis < 3)
                 {
-                    columns[axis] = i;
+                    columns.of[axis] = columns.named;
                     ++found[axis];
                 }
+                ++columns.named;
             }
-            for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t axis = 0; axis < 3 && complaining; ++axis)
                 if (found[axis] > 1)
-                    text.fail(std::string(1, "xyz"[axis]) + " is named twice");
-            return found == std::array<int, 3>{1, 1, 1};
+                    complaining->fail(std::string(1, "xyz"[axis]) + " is named twice");
+            return found == std::array<int, 3>{1, 1, 1} ? std::optional(columns) : std::nullopt;
+        }
+
+        /** What a comment may name, as numpy writes it: without the sign that begins it, and what ends with a colon */
+        Words namesOf(LineReader &comment)
+        {
+            Words words = wordsOf(comment);
+            if (words.empty())
+                return words;
+            words[0].remove_prefix(std::min(words[0].find_first_not_of("#/"), words[0].size()));
+            const auto isName = [](std::string_view word) { return !word.empty() && word.back() != ':'; };
+            words.erase(words.begin(), std::find_if(words.begin(), words.end(), isName));
+            return words;
+        }
+
+        /** Appends a line of fields between commas as words between blanks. A field that is missing becomes no number,
+            so that others keep their columns, and blanks within one become underscores. */
+        void appendWords(std::string_view line, std::string &text)
+        {
+            constexpr const char *blanks = " \t";
+            const bool hasComma = line.find(',') != std::string_view::npos;
+            if (isComment(line) && !line.empty())
+            {
+                // Its sign may stand by itself.
+                const std::size_t sign = std::min(line.find_first_not_of(" \t#/"), line.size());
+                text.append(line.substr(0, sign));
+                line.remove_prefix(sign);
+            }
+            if (!hasComma)
+            {
+                text.append(line);
+                return;
+            }
+            for (bool isLast = false; !isLast;)
+            {
+                const std::size_t end = line.find(',');
+                isLast = end == std::string_view::npos;
+                std::string field(line.substr(0, end));
+                boost::algorithm::trim_if(field, boost::algorithm::is_any_of(blanks));
+                std::replace_if(field.begin(), field.end(), boost::algorithm::is_any_of(blanks), '_');
+                text += (field.empty() ? "nan" : field) + ' ';
+                line.remove_prefix(isLast ? line.size() : end + 1);
+            }
         }
 
         bool isCount(std::string_view word)
@@ -63,50 +151,50 @@ namespace ompl_certificates
     std::vector<Eigen::Vector3d> readXyz(std::string_view content)
     {
         std::vector<Eigen::Vector3d> points;
-        std::vector<std::string_view> words;
-        Columns columns{0, 1, 2};
-        std::size_t named = 0;  // How many columns the first line names
+        Columns columns;
+        Words comment;  // The last one before the points
         bool isFirst = true;
         std::uint64_t rows = 0, told = 0;  // Rows of points, and how many the first line tells of
         LineReader text(content);
         while (text.nextLine())
         {
             if (isComment(text.getLine()))
-                continue;
-            const bool mayBeHeader = std::exchange(isFirst, false);
-            words.clear();
-            const std::size_t most = mayBeHeader ? SIZE_MAX
-                                     : named > 0 ? named + 1
-                                                 : 1 + *std::max_element(columns.begin(), columns.end());
-            for (std::string_view word = text.next(); !word.empty(); word = text.next())
             {
-                words.push_back(word);
-                if (words.size() == most)
-                    break;
+                if (const Words names = rows == 0 ? namesOf(text) : Words(); !names.empty())
+                    comment = names;
+                continue;
             }
+            const bool mayBeHeader = std::exchange(isFirst, false);
+            const Words words = wordsOf(text, rows == 0           ? SIZE_MAX
+                                              : columns.named > 0 ? columns.named + 1
+                                                                  : columns.getLast() + 1);
             if (mayBeHeader && words.size() == 1 && isCount(words[0]))
             {
                 told = toCount(words[0]);
                 continue;
             }
-            if (mayBeHeader && findColumns(words, text, columns))
+            if (const auto header = mayBeHeader ? findColumns(words, &text) : std::nullopt)
             {
-                named = words.size();
+                columns = *header;
                 continue;
             }
+            // A comment may tell of anything. It names the columns if it has as many words.
+            if (rows == 0 && columns.named == 0 && comment.size() >= words.size())
+                if (const auto header = findColumns(comment, nullptr); header && header->named == words.size())
+                    columns.of = header->of;
             // Where numbers have decimal commas, each becomes two.
-            if (double more = 0.0;
-                named > 0 && words.size() > named && parseNumber(words[named], more) && std::isfinite(more))
+            if (double more = 0.0; columns.named > 0 && words.size() > columns.named &&
+                                   parseNumber(words[columns.named], more) && std::isfinite(more))
                 text.fail("there are more numbers than the first line names columns");
             ++rows;
             Eigen::Vector3d point;
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
-                if (columns[axis] >= words.size())
+                if (columns.of[axis] >= words.size())
                     text.fail(std::string("there is no ") + "xyz"[axis] + ": the line has " +
-                              std::to_string(words.size()) + " of " + std::to_string(named > 0 ? named : 3) +
-                              " numbers");
-                const std::string_view word = words[columns[axis]];
+                              std::to_string(words.size()) + " of " +
+                              std::to_string(columns.named > 0 ? columns.named : columns.getLast() + 1) + " numbers");
+                const std::string_view word = words[columns.of[axis]];
                 if (word.find(',') != std::string_view::npos)
                     text.fail("there is " + inQuotes(word) + ": commas are only between the columns of .csv files");
                 point[static_cast<Eigen::Index>(axis)] = text.toNumber(word);
@@ -124,26 +212,15 @@ namespace ompl_certificates
 
     std::vector<Eigen::Vector3d> readCsv(std::string_view content)
     {
-        // A value that is missing is no number, so that others keep their columns.
         std::string text;
         text.reserve(content.size());
-        bool isMissing = true, hasComma = false;
-        const auto endField = [&] { text += isMissing ? " nan " : " "; };
-        for (const char c : content)
+        while (!content.empty())
         {
-            const bool isEnd = c == '\n' || c == '\r';
-            if (c == ',' || (isEnd && hasComma))
-                endField();
-            if (c != ',')
-                text += c;
-            if (c == ',' || isEnd)
-                isMissing = true;
-            else if (c != ' ' && c != '\t')
-                isMissing = false;
-            hasComma = c == ',' || (hasComma && !isEnd);
+            const std::size_t end = std::min(content.find_first_of("\r\n"), content.size());
+            appendWords(content.substr(0, end), text);
+            text.append(content.substr(end, 1));
+            content.remove_prefix(std::min(end + 1, content.size()));
         }
-        if (hasComma)
-            endField();
         return readXyz(text);
     }
 }

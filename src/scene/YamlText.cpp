@@ -10,13 +10,30 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Takes no notice of what a document holds, but whether it holds anything. */
+        /** A value takes some 500 bytes, a number within a list of numbers 250. */
+        constexpr std::size_t MOST_VALUES = 6000000;
+
+        /** Takes no notice of what a document holds, but whether it holds anything, and not too much. */
         class Ignored : public YAML::EventHandler
         {
         public:
+            explicit Ignored(const std::string &source) : source_(source)
+            {
+            }
+
             bool isEmpty{true};
 
         private:
+            void count()
+            {
+                isEmpty = false;
+                if (++values_ > MOST_VALUES)
+                    throw ompl::Exception(source_, "holds more than " + std::to_string(MOST_VALUES) + " values");
+            }
+
+            const std::string &source_;
+            std::size_t values_{0};
+
             void OnDocumentStart(const YAML::Mark & /*mark*/) override
             {
             }
@@ -28,17 +45,17 @@ namespace ompl_certificates
             }
             void OnAlias(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
             {
-                isEmpty = false;
+                count();
             }
             void OnScalar(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                           const std::string & /*value*/) override
             {
-                isEmpty = false;
+                count();
             }
             void OnSequenceStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                                  YAML::EmitterStyle::value /*style*/) override
             {
-                isEmpty = false;
+                count();
             }
             void OnSequenceEnd() override
             {
@@ -46,7 +63,7 @@ namespace ompl_certificates
             void OnMapStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                             YAML::EmitterStyle::value /*style*/) override
             {
-                isEmpty = false;
+                count();
             }
             void OnMapEnd() override
             {
@@ -61,11 +78,11 @@ namespace ompl_certificates
             // Not YAML::LoadAll: of a text such as "," it makes documents for ever.
             std::istringstream stream(text);
             YAML::Parser parser(stream);
-            Ignored ignored;
+            Ignored ignored(source);
             if (!parser.HandleNextDocument(ignored))
                 throw ompl::Exception(source, "is empty");
             // rostopic echo ends each message with the beginning of another document.
-            Ignored second;
+            Ignored second(source);
             if (parser.HandleNextDocument(second) && (!second.isEmpty || parser.HandleNextDocument(ignored)))
                 throw ompl::Exception(source, "must hold one YAML document, not several");
             return YamlNode(YAML::Load(text), "", source);

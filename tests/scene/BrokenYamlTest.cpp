@@ -1,4 +1,5 @@
 #include "ompl_certificates/scene/SceneFile.h"
+#include "support/Message.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
@@ -287,5 +288,11 @@ namespace ompl_certificates
         EXPECT_THROW(sceneFromYaml(std::string(100000, '['), "deep"), ompl::Exception);
         EXPECT_THROW(sceneFromYaml(std::string(1000, '\0'), "zeros"), ompl::Exception);
         EXPECT_THROW(sceneFromYaml("\xff\xfe\x01\x02{[", "bytes"), ompl::Exception);
+        std::string many = "many: [0";
+        for (unsigned int i = 0; i < 6000000; ++i)
+            many += ",0";
+        EXPECT_NE(
+            test::messageOf([&] { sceneFromYaml(many + "]", "list.yaml"); }).find("holds more than 6000000 values"),
+            std::string::npos);
     }
 }

@@ -73,6 +73,9 @@ namespace ompl_certificates
         const PointCloud cloud = loadCloud(folder.write("fields.pcd", text));
         ASSERT_EQ(cloud.points.size(), 1U);
         EXPECT_EQ(cloud.points[0], Eigen::Vector3d(1.0, 2.0, 3.0));
+        // Version 0.5 names them so.
+        EXPECT_EQ(loadCloud(folder.write("columns.pcd", with(text, "FIELDS", "COLUMNS"))).points.at(0),
+                  Eigen::Vector3d(1.0, 2.0, 3.0));
         const double numbers[3] = {3.0, 2.0, 1.0};
         std::string bytes(13 + sizeof(numbers), '\0');
         std::memcpy(bytes.data() + 13, numbers, sizeof(numbers));
@@ -178,7 +181,21 @@ namespace ompl_certificates
             {"a.csv", "//X,Y,Z,R\n1,2,3,9\n-4.5,5,0.6,9\n"},
             {"a.csv", "time,\"x\",Y,z,intensity\n7,1,2,3,\n7,9,,9,4\n,-4.5,5,0.6,1\n"},
             {"a.csv", "x,y,z\n8,9,\n1,2,3\n7,,\r\n-4.5,5,0.6\n6,5,"},
-            {"a.txt", "# seen\nZ Y X\n3 2 1\n0.6 5 -4.5\n"}};
+            {"a.txt", "# seen\nZ Y X\n3 2 1\n0.6 5 -4.5\n"},
+            // As numpy.savetxt() and other programs write names and units
+            {"a.csv", "# t,x,y,z\n0.1,1,2,3\n0.2,-4.5,5,0.6\n"},
+            {"a.txt", "# t x y z\n0.1 1 2 3\n0.2 -4.5 5 0.6\n"},
+            {"a.txt", "# seen by one\n# fields: z y x r\n3 2 1 9\n0.6 5 -4.5 9\n"},
+            {"a.txt", "# x by x y z\n\n1 2 3 4 5\n-4.5 5 0.6 4 5\n"},
+            {"a.txt", "//Z Y X\n\n#\n3 2 1\n0.6 5 -4.5\n# x y z\n"},
+            {"a.txt", "# z y x of the scanner\n1 2 3\n-4.5 5 0.6\n"},
+            {"a.txt", "# t x y z\n1 2 3\n-4.5 5 0.6\n"},
+            {"a.txt", "z (m) y (m) x (m)\n3 2 1\n0.6 5 -4.5\n"},
+            {"a.csv", "x (m),y (m),z (m),intensity,ring\n1,2,3,4,5\n-4.5,5,0.6,6,7\n"},
+            {"a.csv", "x [m], y [m], z[m], intensity\n1, 2, 3, 4\n-4.5, 5, 0.6, 4\n"},
+            {"a.csv", "point id,x,y,z\n7,1,2,3\n8,-4.5,5,0.6\n"},
+            {"a.csv", "label,x,y,z,name\ncar 7,1,2,3,a b\ncar 8,-4.5,5,0.6,\n"},
+            {"a.csv", "xy,zoom,x,y,z\n7,6,1,2,3\n8,6,-4.5,5,0.6"}};
         for (const auto &[name, content] : files)
             EXPECT_EQ(loadCloud(folder.write(name, content)).points, expected) << name << ":\n" << content;
         EXPECT_EQ(loadCloud(folder.write("a.ply", with(PLY_TEXT, "float z", "float Z"))).points,

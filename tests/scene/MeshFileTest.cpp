@@ -1,10 +1,12 @@
 #include "ompl_certificates/scene/MeshFile.h"
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
+#include "support/Random.h"
 
 #include <cctype>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
+#include <sstream>
 #include <sys/stat.h>
 
 namespace ompl_certificates
@@ -51,6 +53,8 @@ namespace ompl_certificates
         EXPECT_EQ(mesh.getMesh()->getTriangles().size(), 2u);
         expectBox(mesh, {10, 0, 0}, {12, 4, 10});
         // As in Assimp and OMPL.app, a file whose z axis is up is turned to have the y axis up.
+        const MeshFile onItsSide(folder.write("c.dae", collada("<node>" + instance + "</node>", "X_UP")));
+        expectBox(onItsSide, {-2.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
         const MeshFile turned(folder.write("b.dae", collada("<node>" + instance + "</node>", "Z_UP")));
         expectBox(turned, {0, 0, -2}, {1, 0, 0});
         // The steps of a node are taken one after the other, matrices like others.
@@ -224,5 +228,29 @@ namespace ompl_certificates
             EXPECT_DOUBLE_EQ(areaOf(arrow + face), 1.0) << face;
         for (const char *face : {"f 1 2 3 4 5 6 7 8", "f 5 6 7 8 1 2 3 4", "f 8 7 6 5 4 3 2 1", "f 6 5 4 3 2 1 8 7"})
             EXPECT_DOUBLE_EQ(areaOf(u + face), 7.0) << face;
+
+        // Walls with corners in one line, where doors end and beside them
+        const std::vector<std::vector<Eigen::Vector2d>> walls{
+            {{8, 0}, {8, 4}, {6, 4}, {6, 5}, {4, 5}, {2, 5}, {0, 5}, {0, 0}, {2, 0}, {4, 0}, {4, 2}, {6, 2}, {6, 0}},
+            {{6, 0}, {6, 2}, {0, 2}, {0, 5}, {2, 5}, {2, 4}, {8, 4}, {8, 0}}};
+        Random random(3);
+        for (unsigned int turn = 0; turn < scaled(200); ++turn)
+            for (const std::vector<Eigen::Vector2d> &wall : walls)
+            {
+                const Eigen::Rotation2Dd rotation(turn == 0 ? 0.0 : random.uniform(-3.0, 3.0));
+                const std::size_t begin = random.below(wall.size());
+                double area = 0.0;
+                std::ostringstream points, face;
+                points.precision(17);
+                face << "f";
+                for (std::size_t i = 0; i < wall.size(); ++i)
+                {
+                    const Eigen::Vector2d corner = rotation * wall[i], next = rotation * wall[(i + 1) % wall.size()];
+                    area += 0.5 * (corner.x() * next.y() - corner.y() * next.x());
+                    points << "v " << corner.x() << " 0 " << corner.y() << "\n";
+                    face << " " << (begin + i) % wall.size() + 1;
+                }
+                EXPECT_NEAR(areaOf(points.str() + face.str()), std::abs(area), 1e-9) << points.str() << face.str();
+            }
     }
 }

@@ -88,20 +88,24 @@ namespace ompl_certificates
         TEST_F(MoveItScene, PlanesAreAsLargeAsFollowersReach)
         {
             // At the start "slide" is at 0.1, so the feeler is 2 m beyond the tip, in the plane.
-            std::string urdf = TWO_LINKS_URDF;
-            urdf.replace(
-                urdf.find("</robot>"), 8,
-                "<link name='feeler'><collision><geometry><sphere radius='0.03'/></geometry></collision></link>"
-                "<joint name='follow' type='prismatic'><parent link='tip'/><child link='feeler'/>"
-                "<origin xyz='0 0 0.5'/><axis xyz='1 0 0'/><limit lower='0' upper='4' effort='1' "
-                "velocity='1'/><mimic joint='slide' multiplier='20'/></joint></robot>");
-            robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf), folder_.path() + "/arm.srdf");
-            const SceneFile file = read(OBJECTS + "    - {id: ceiling, planes: [{coef: [0, 0, 1, -0.82]}]}\n");
-            ompl::base::ScopedState<> state(armOf(file).getStateSpace());
-            state = std::vector<double>{0.0, 0.0};
-            const Pose feeler = armOf(file).getLinkPose(state.get(), "feeler");
-            ASSERT_TRUE(feeler.translation().isApprox(Eigen::Vector3d(3.0, 0.0, 0.82))) << feeler.translation();
-            EXPECT_TRUE(file.scene.makeObstacles()->collides(Body::sphere(0.03), feeler));
+            for (const std::string mimic : {"multiplier='20'", "multiplier='-2' offset='2.2'"})
+            {
+                std::string urdf = TWO_LINKS_URDF;
+                urdf.replace(
+                    urdf.find("</robot>"), 8,
+                    "<link name='feeler'><collision><geometry><sphere radius='0.03'/></geometry></collision></link>"
+                    "<joint name='follow' type='prismatic'><parent link='tip'/><child link='feeler'/>"
+                    "<origin xyz='0 0 0.5'/><axis xyz='1 0 0'/><limit lower='0' upper='4' effort='1' "
+                    "velocity='1'/><mimic joint='slide' " +
+                        mimic + "/></joint></robot>");
+                robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf), folder_.path() + "/arm.srdf");
+                const SceneFile file = read(OBJECTS + "    - {id: ceiling, planes: [{coef: [0, 0, 1, -0.82]}]}\n");
+                ompl::base::ScopedState<> state(armOf(file).getStateSpace());
+                state = std::vector<double>{0.0, 0.0};
+                const Pose feeler = armOf(file).getLinkPose(state.get(), "feeler");
+                ASSERT_TRUE(feeler.translation().isApprox(Eigen::Vector3d(3.0, 0.0, 0.82))) << feeler.translation();
+                EXPECT_TRUE(file.scene.makeObstacles()->collides(Body::sphere(0.03), feeler)) << mimic;
+            }
         }
 
         TEST_F(MoveItScene, ArmsAmongPlanesAreJudgedAsFclJudgesThem)

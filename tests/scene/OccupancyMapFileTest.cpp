@@ -73,6 +73,10 @@ namespace ompl_certificates
         EXPECT_EQ(drawn("image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nmode: scale\n", IMAGE), "#.....");
         EXPECT_EQ(drawn(MAP, std::string("P5\n3 2\n255\n\xCD\xFE\xFE\0\xFE\xFE", 17)), "#.....");
         EXPECT_EQ(drawn(MAP, "P1\n3 2\n0 0 1\n1 0 0\n"), "#....#");
+        EXPECT_EQ(
+            drawn(MAP,
+                  std::string("P6\n3 2\n255\n\0\0\0\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF", 29)),
+            "...#..");
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 0 0 9 9 9 255 255 255\n255 255 255 0 0 0 255 255 255\n"), ".#.##.");
         // Colors count by their mean: green is two thirds dark, and red.
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 255 0 255 0 0 255 255 255\n255 255 255 0 0 255 255 255 0\n"), ".#.##.");
