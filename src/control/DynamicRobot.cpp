@@ -96,6 +96,11 @@ namespace ompl_certificates
         shape_->computeMotionBounds(poseOf(from), poseOf(to), bounds);
     }
 
+    std::optional<Robot::Jump> DynamicRobot::getJump(std::size_t body, const ob::State *from, const ob::State *to) const
+    {
+        return shape_->getJump(body, poseOf(from), poseOf(to));
+    }
+
     void DynamicRobot::computePairMotionBounds(const ob::State *from, const ob::State *to,
                                                const MotionBound *bodyBounds, PairMotionBound *pairBounds) const
     {

@@ -19,13 +19,23 @@ namespace ompl_certificates
         return (p - along / length * segment).squaredNorm();
     }
 
+    /** \brief Whether a triangle is so thin that rounding decides on which side of its edges a point is: its corners are on
+        one line. Then its edges are all of it.
+        \param squaredArea the squared length of the cross product of two of its edges */
+    inline bool isThin(double squaredArea, const Eigen::Vector3d &ab, const Eigen::Vector3d &bc,
+                       const Eigen::Vector3d &ca)
+    {
+        const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+        return !(squaredArea > 1e-24 * longest * longest);
+    }
+
     /** \brief The point of a triangle that is nearest to \e point, or one about as near */
     inline Eigen::Vector3d nearestOfTriangle(const Eigen::Vector3d &point, const Eigen::Vector3d &a,
                                              const Eigen::Vector3d &b, const Eigen::Vector3d &c)
     {
         const Eigen::Vector3d normal = (b - a).cross(c - a);
         const double squaredArea = normal.squaredNorm();
-        if (squaredArea > 0.0)
+        if (!isThin(squaredArea, b - a, c - b, a - c))
         {
             Eigen::Vector3d foot = point - normal.dot(point - a) / squaredArea * normal;
             if (normal.dot((b - a).cross(foot - a)) >= 0.0 && normal.dot((c - b).cross(foot - b)) >= 0.0 &&
@@ -53,8 +63,8 @@ namespace ompl_certificates
         const Eigen::Vector3d ap = point - a, bp = point - b, cp = point - c;
         const Eigen::Vector3d normal = ca.cross(ab);
         const double squaredArea = normal.squaredNorm();
-        if (squaredArea > 0.0 && normal.dot(ab.cross(ap)) >= 0.0 && normal.dot(bc.cross(bp)) >= 0.0 &&
-            normal.dot(ca.cross(cp)) >= 0.0)
+        if (normal.dot(ab.cross(ap)) >= 0.0 && normal.dot(bc.cross(bp)) >= 0.0 && normal.dot(ca.cross(cp)) >= 0.0 &&
+            !isThin(squaredArea, ab, bc, ca))
         {
             const double height = normal.dot(ap);
             return height * height / squaredArea;

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 
 #include "FacetRows.h"
+#include "TriangleDistance.h"
 
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Touching.h"
@@ -32,12 +33,16 @@ namespace ompl_certificates
             /** \brief Its corners */
             Corners corners;
 
-            /** \brief Its unit normal, or zero */
+            /** \brief Its unit normal; zero if its corners are on one line, but for rounding */
             Eigen::Vector3d normal;
 
             /** \brief The facet of these corners */
-            explicit Facet(const Corners &c) : corners(c), normal((c[1] - c[0]).cross(c[2] - c[0]).stableNormalized())
+            explicit Facet(const Corners &c) : corners(c), normal((c[1] - c[0]).cross(c[2] - c[0]))
             {
+                if (isThin(normal.squaredNorm(), c[1] - c[0], c[2] - c[1], c[0] - c[2]))
+                    normal.setZero();
+                else
+                    normal.stableNormalize();
             }
 
             /** \brief The facet at another pose */

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ompl/util/Exception.h>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -86,6 +88,9 @@ namespace ompl_certificates
 
     CellForest::Place CellForest::at(std::uint32_t position) const
     {
+        if (position >= first_.back())
+            throw ompl::Exception("There is no cell " + std::to_string(position) + " of " +
+                                  std::to_string(first_.back()));
         const auto next = std::upper_bound(first_.begin(), first_.end(), position);
         const auto block = static_cast<std::size_t>(next - first_.begin()) - 1;
         return {blocks_[block].get(), position - first_[block]};

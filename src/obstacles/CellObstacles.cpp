@@ -120,8 +120,11 @@ namespace ompl_certificates
         // Within a cell, the depth must be known.
         if (!(most > 0.0))
             return clearance(point);
+        // A limit that is as good as none would look into no cell.
+        constexpr double leastLimit = 1e-15;
         ObstaclePart part;
-        return cellSize_ * forest_->signedDistance(toCells(point), part, most / cellSize_);
+        const double limit = std::max(most / cellSize_, leastLimit);
+        return std::min(most, cellSize_ * forest_->signedDistance(toCells(point), part, limit));
     }
 
     double CellObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const

@@ -22,17 +22,56 @@ namespace ompl_certificates
         /** Among no more than this the gap of a mesh costs less than the clearances of its balls. */
         constexpr std::size_t MANY_PRIMITIVES = 256;
 
+        /** Calls \e work, whose complaints are about one of \e count obstacles, and says which */
+        template <typename Work>
+        void naming(std::size_t index, std::size_t count, const Work &work)
+        {
+            try
+            {
+                work();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                if (count == 1)
+                    throw;
+                throw ompl::Exception("obstacle " + std::to_string(index), exception.what());
+            }
+        }
+
         std::vector<PlacedBody> bodiesOf(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                                          unsigned int dimension)
         {
             std::vector<PlacedBody> bodies;
+            bodies.reserve(objects.size());
             for (const auto &object : objects)
-            {
-                if (!object)
-                    throw ompl::Exception("A collision object must not be null");
-                bodies.push_back(bodyOf(*object, dimension));
-            }
+                naming(bodies.size(), objects.size(),
+                       [&]
+                       {
+                           if (!object)
+                               throw ompl::Exception("A collision object must not be null");
+                           bodies.push_back(bodyOf(*object, dimension));
+                       });
             return bodies;
+        }
+
+        /** Appends the shapes of an obstacle, which must have the dimension and pose that its workspace needs */
+        void append(const PlacedBody &obstacle, unsigned int dimension, PlacedShapes &shapes)
+        {
+            const auto &[body, pose] = obstacle;
+            if (body.getPadding() > 0.0)
+                throw ompl::Exception("Obstacles have no padding; give it to the robots' bodies");
+            if (body.getDimension() != dimension)
+                throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
+                                      " dimensions, its workspace " + std::to_string(dimension));
+            const Pose rigid = rigidPose(pose, "an obstacle");
+            for (const auto &part : body.getParts())
+            {
+                Pose partPose = rigid * part.pose;
+                if (!part.shape.snapToPlane(partPose))
+                    throw ompl::Exception(
+                        "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no mesh");
+                shapes.push_back({part.shape, partPose});
+            }
         }
 
         /** The shapes of \e obstacles, each checked for the dimension and pose that its workspace needs */
@@ -41,24 +80,8 @@ namespace ompl_certificates
             if (dimension != 2 && dimension != 3)
                 throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
             PlacedShapes shapes;
-            for (const auto &[body, pose] : obstacles)
-            {
-                if (body.getPadding() > 0.0)
-                    throw ompl::Exception("Obstacles have no padding; give it to the robots' bodies");
-                if (body.getDimension() != dimension)
-                    throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
-                                          " dimensions, its workspace " + std::to_string(dimension));
-                const Pose rigid = rigidPose(pose, "an obstacle");
-                for (const auto &part : body.getParts())
-                {
-                    Pose partPose = rigid * part.pose;
-                    if (!part.shape.snapToPlane(partPose))
-                        throw ompl::Exception(
-                            "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "
-                            "mesh");
-                    shapes.push_back({part.shape, partPose});
-                }
-            }
+            for (std::size_t i = 0; i < obstacles.size(); ++i)
+                naming(i, obstacles.size(), [&] { append(obstacles[i], dimension, shapes); });
             return shapes;
         }
 

@@ -319,7 +319,13 @@ namespace ompl_certificates
             times are valid */
         bool accept(std::vector<Change> changes, double first, double last)
         {
-            const double begin = paths_.knotBefore(first), end = paths_.knotAfter(last);
+            double begin = paths_.knotBefore(first), end = paths_.knotAfter(last);
+            // From its own knot before to its new one a robot may go by another curve than on the way to its next one.
+            for (const Change &change : changes)
+            {
+                begin = std::min(begin, paths_.knotBefore(change.robot, first));
+                end = std::max(end, paths_.knotAfter(change.robot, last));
+            }
             const bool isWhole = begin == 0.0 && end == paths_.getDuration();
             const auto old = isWhole && whole_ ? whole_ : cost(begin, end);
             if (!old)

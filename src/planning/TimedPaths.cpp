@@ -105,23 +105,31 @@ namespace ompl_certificates
     double TimedPaths::knotBefore(double time) const
     {
         double before = 0.0;
-        for (const auto &knots : knots_)
-        {
-            const auto next = std::upper_bound(knots.begin(), knots.end(), time,
-                                               [](double t, const Knot &knot) { return t < knot.time; });
-            if (next != knots.begin())
-                before = std::max(before, (next - 1)->time);
-        }
+        for (unsigned int robot = 0; robot < knots_.size(); ++robot)
+            before = std::max(before, knotBefore(robot, time));
         return before;
+    }
+
+    double TimedPaths::knotBefore(unsigned int robot, double time) const
+    {
+        const auto &knots = knots_[robot];
+        const auto next = std::upper_bound(knots.begin(), knots.end(), time,
+                                           [](double t, const Knot &knot) { return t < knot.time; });
+        return next == knots.begin() ? 0.0 : (next - 1)->time;
     }
 
     double TimedPaths::knotAfter(double time) const
     {
         double after = duration_;
-        for (const auto &knots : knots_)
-            if (const auto next = firstFrom(knots, time); next != knots.end())
-                after = std::min(after, next->time);
+        for (unsigned int robot = 0; robot < knots_.size(); ++robot)
+            after = std::min(after, knotAfter(robot, time));
         return after;
+    }
+
+    double TimedPaths::knotAfter(unsigned int robot, double time) const
+    {
+        const auto next = firstFrom(knots_[robot], time);
+        return next == knots_[robot].end() ? duration_ : next->time;
     }
 
     void TimedPaths::copyTo(double time, ob::State *state) const

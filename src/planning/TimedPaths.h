@@ -56,6 +56,10 @@ namespace ompl_certificates
         /** \brief The earliest time of a knot that is not before \e time */
         double knotAfter(double time) const;
 
+        /** \brief The same of the knots of one robot */
+        double knotBefore(unsigned int robot, double time) const;
+        double knotAfter(unsigned int robot, double time) const;
+
         /** \brief Write the state of the team at a time to \e state */
         void copyTo(double time, ompl::base::State *state) const;
 

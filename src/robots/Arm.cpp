@@ -98,6 +98,15 @@ namespace ompl_certificates
             *bounds++ = chain.bound(model_->frames, motion.middle, motion.joints, motion.within);
     }
 
+    std::optional<Robot::Jump> Arm::getJump(std::size_t body, const ob::State *from, const ob::State *to) const
+    {
+        const ArmModel::Motion motion = model_->motionOf(from, to);
+        Jump jump;
+        jump.steady =
+            model_->chains[body].bound(model_->frames, motion.middle, motion.joints, motion.within, &jump.jump);
+        return jump.jump.angular > 0.0 ? std::optional(jump) : std::nullopt;
+    }
+
     void Arm::computePairMotionBounds(const ob::State *from, const ob::State *to, const MotionBound * /*bodyBounds*/,
                                       PairMotionBound *pairBounds) const
     {

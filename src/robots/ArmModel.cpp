@@ -386,6 +386,7 @@ namespace ompl_certificates
                     one.x = a[0], one.y = a[1], one.z = a[2], one.w = a[3];
                     other.x = b[0], other.y = b[1], other.z = b[2], other.w = b[3];
                     motions[i].change = turnOf(one, other);
+                    motions[i].jump = jumpOf(one, other);
                     break;
                 }
             }

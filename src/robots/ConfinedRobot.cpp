@@ -106,9 +106,10 @@ namespace ompl_certificates
         std::fill_n(bounds + bodyCount_, zones_.size(), MotionBound());
     }
 
-    double ConfinedRobot::getJump(std::size_t body, const ob::State *from, const ob::State *to) const
+    std::optional<Robot::Jump> ConfinedRobot::getJump(std::size_t body, const ob::State *from,
+                                                      const ob::State *to) const
     {
-        return body < bodyCount_ ? robot_->getJump(body, from, to) : 0.0;
+        return body < bodyCount_ ? robot_->getJump(body, from, to) : std::nullopt;
     }
 
     void ConfinedRobot::computePairMotionBounds(const ob::State *from, const ob::State *to,

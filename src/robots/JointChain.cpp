@@ -172,7 +172,7 @@ namespace ompl_certificates
     }
 
     MotionBound JointChain::bound(const JointFrames &frames, const JointFrames::Frame *middle,
-                                  const JointMotion *motions, bool within) const
+                                  const JointMotion *motions, bool within, MotionBound *jump) const
     {
         if (steps_.empty())
             return {};
@@ -212,9 +212,21 @@ namespace ompl_certificates
                     way += size;
                     break;
                 case Kind::TURN:
-                    way += size * std::min(within ? step.reach : far, (point - frame.origin).norm() + 0.5 * way);
+                {
+                    const double distance =
+                        std::min(within ? step.reach : far,
+                                 (point - frame.origin).norm() + 0.5 * way + (jump ? jump->linear : 0.0));
+                    const double atOnce = jump ? motions[step.mover].jump : 0.0;
+                    if (atOnce > 0.0)
+                    {
+                        jump->linear += ROUNDED_UP * atOnce * distance;
+                        jump->angular += ROUNDED_UP * atOnce;
+                        break;
+                    }
+                    way += size * distance;
                     angle += size;
                     break;
+                }
             }
         }
         if (hasTurn_)

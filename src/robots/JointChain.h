@@ -17,6 +17,9 @@ namespace ompl_certificates
 
         /** \brief Of a SHIFT the vector, in the frame's axes */
         Eigen::Vector3d shift{Eigen::Vector3d::Zero()};
+
+        /** \brief Of a TURN the angle if it comes at once; else 0 */
+        double jump{0.0};
     };
 
     /** \brief The joints between what looks and what is looked at: two frames of an arm, or the workspace and a frame.
@@ -38,9 +41,10 @@ namespace ompl_certificates
             \param middle the frames in the middle of the motion
             \param motions how each mover moves
             \param within whether the motion keeps to all limits, which distances may rely on
+            \param jump if given, turns that come at once are added to it, and left out of the bound
             Cost: some 10 ns for each joint between. */
         MotionBound bound(const JointFrames &frames, const JointFrames::Frame *middle, const JointMotion *motions,
-                          bool within) const;
+                          bool within, MotionBound *jump = nullptr) const;
 
         /** \brief For each coordinate of the joints between: how far any point at \e radius from the target's origin
             moves while it changes by one, at most, if all joints keep to their limits */

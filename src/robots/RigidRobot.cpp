@@ -154,12 +154,14 @@ namespace ompl_certificates
         }
     }
 
-    double RigidRobot::getJump(std::size_t /*body*/, const ob::State *from, const ob::State *to) const
+    std::optional<Robot::Jump> RigidRobot::getJump(std::size_t /*body*/, const ob::State *from,
+                                                   const ob::State *to) const
     {
         if (kind_ != Space::SE3)
-            return 0.0;
-        return jumpOf(from->as<ob::SE3StateSpace::StateType>()->rotation(),
-                      to->as<ob::SE3StateSpace::StateType>()->rotation());
+            return std::nullopt;
+        const auto &a = *from->as<ob::SE3StateSpace::StateType>(), &b = *to->as<ob::SE3StateSpace::StateType>();
+        const double angle = jumpOf(a.rotation(), b.rotation());
+        return angle > 0.0 ? std::optional(Jump{{distanceOf(a, b), 0.0}, {0.0, angle}}) : std::nullopt;
     }
 
     bool RigidRobot::isLike(const Robot &other) const

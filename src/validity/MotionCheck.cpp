@@ -120,8 +120,9 @@ namespace ompl_certificates
         constexpr double muchTooLarge = 1e99;
         for (std::size_t i = 0; turnsOfJump_ > 0.0 && i < moved.getBodies().size(); ++i)
             if (bounds[i].angular > muchTooLarge)
-                if (const double jump = moved.getJump(i, context_.from[robot], context_.to[robot]); jump > 0.0)
-                    bounds[i].angular = turnsOfJump_ * jump;
+                if (const auto jump = moved.getJump(i, context_.from[robot], context_.to[robot]))
+                    bounds[i] = {jump->steady.linear + turnsOfJump_ * jump->jump.linear,
+                                 jump->steady.angular + turnsOfJump_ * jump->jump.angular};
     }
 
     void MotionCheck::computePairMotionBounds(unsigned int robot)

@@ -321,4 +321,18 @@ TEST(CellObstacles, RefuseWhatMakesNoSense)
     EXPECT_NE(messageOf([] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, 0}}}); }), "");
     EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, most + 1}}}); }), "");
     EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{-most - 1, 0, 0}, {1, 1, 1}}}); }), "");
+    const CellObstacles none(1.0, {});
+    ObstaclePart part = 0;
+    none.findNearest({0.0, 0.0, 0.0}, part);
+    EXPECT_NE(messageOf([&] { none.getBounds(part); }).find("There is no cell"), std::string::npos);
+}
+
+TEST(CellObstacles, KnowTheirDepthWhateverTheLimit)
+{
+    const CellObstacles one(1.0, {{{0, 0, 0}, {1, 1, 1}}});
+    for (const double limit : {1.0, 1e-12, 1e-24, 1e-300})
+    {
+        EXPECT_DOUBLE_EQ(one.clearanceUpTo({0.5, 0.5, 0.5}, limit), -0.5) << limit;
+        EXPECT_EQ(one.clearanceUpTo({0.5, 0.5, 3.0}, limit), limit);
+    }
 }

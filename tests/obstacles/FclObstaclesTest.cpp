@@ -1,8 +1,11 @@
+#include "support/Message.h"
 #include "support/RandomBodies.h"
 #include "support/RandomMeshes.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/collision_object.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -155,6 +158,15 @@ TEST(FclObstacles, RefuseAnotherDimensionAndPosesThatAreNotFinite)
     EXPECT_THROW(FclObstacles({{Body::sphere(1.0)}}, 2), ompl::Exception);
     EXPECT_THROW(FclObstacles({{Body::disc(1.0)}}, 3), ompl::Exception);
     EXPECT_THROW(FclObstacles({{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}, 2), ompl::Exception);
+    // Of several they say which one.
+    const std::vector<PlacedBody> bodies{{Body::disc(1.0)}, {Body::sphere(1.0)}};
+    EXPECT_EQ(messageOf([&] { FclObstacles(bodies, 2); }).rfind("obstacle 1: An obstacle has 3", 0), 0U);
+    const auto ball = std::make_shared<fcl::CollisionObjectd>(std::make_shared<fcl::Sphered>(1.0));
+    EXPECT_EQ(messageOf(
+                  [&] {
+                      FclObstacles(std::vector{ball, ball, std::shared_ptr<fcl::CollisionObjectd>()});
+                  }),
+              "obstacle 2: A collision object must not be null");
 }
 
 /** A cube is turned, and its rotation written with three decimals: all checks must mean the same cube. */

@@ -274,6 +274,40 @@ TEST(MeshObstacles, InThePlaneHaveAllOfTheirWalls)
     }
 }
 
+TEST(MeshObstacles, InThePlaneAreAsFarAsUprightTriangles)
+{
+    // Their three corners are on one line, as seen from above, but for rounding.
+    for (unsigned int seed = 0; seed < scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const bool isWhole = random.chance(0.5);
+        const auto number = [&](double low, double high)
+        { return isWhole ? std::round(random.uniform(low, high)) : random.uniform(low, high); };
+        const double a = number(-8.0, 8.0), b = a + number(1.0, 5.0), c = b + number(1.0, 5.0);
+        const double yaw = isWhole ? 0.25 * M_PI * std::round(random.uniform(0.0, 7.0)) : random.uniform(-M_PI, M_PI);
+        const Pose pose = planarPose(number(-3.0, 3.0), number(-3.0, 3.0), yaw);
+        std::vector<Eigen::Vector3d> corners{{a, 0.0, 0.0}, {b, 0.0, 2.0}, {c, 0.0, 0.0}};
+        const auto wall = [&corners] {
+            return Body::planarMesh(
+                std::make_shared<TriangleMesh>(corners, std::vector<TriangleMesh::Triangle>{{0, 1, 2}}));
+        };
+        const FclObstacles placed({{wall(), pose}}, 2);
+        for (Eigen::Vector3d &corner : corners)
+            corner = pose * corner;
+        const Body turned = wall();
+        const FclObstacles obstacles({{turned, Pose::Identity()}}, 2);
+        for (double x = -20.0; x <= 20.0; x += 1.0)
+        {
+            const Eigen::Vector3d point = pose * Eigen::Vector3d(x, 0.0, 0.0);
+            const double distance = std::max({a - x, x - c, 0.0});
+            ASSERT_NEAR(placed.clearance(point), distance, 1e-9) << x;
+            ASSERT_NEAR(obstacles.clearance(point), distance, 1e-9) << x;
+            ASSERT_NEAR(std::abs(turned.signedDistance(point)), distance, 1e-9) << x;
+        }
+    }
+}
+
 TEST(MeshObstacles, AreMadeOfFclsModels)
 {
     Pose pose = planarPose(1.0, 2.0, 0.5);

@@ -13,6 +13,9 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
+#include <set>
+#include <utility>
+#include <vector>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -88,6 +91,99 @@ TEST_F(TeamPathSimplifierTest, LeavesNoStatesThatRepeatButForRounding)
         for (std::size_t i = 1; i < path.getStateCount(); ++i)
             EXPECT_GT(motionTime(*space, path.getStates()[i - 1], path.getStates()[i]), 1e-10) << i;
     }
+}
+
+namespace
+{
+    using Motion = std::pair<std::vector<double>, std::vector<double>>;
+
+    Motion motionOf(const ob::SpaceInformation &si, const ob::State *from, const ob::State *to)
+    {
+        Motion motion;
+        si.getStateSpace()->copyToReals(motion.first, from);
+        si.getStateSpace()->copyToReals(motion.second, to);
+        return motion;
+    }
+
+    /** Remembers the motions that it accepted. */
+    class Recorder : public ob::MotionValidator
+    {
+    public:
+        explicit Recorder(const ob::SpaceInformationPtr &si) : MotionValidator(si), validator_(si->getMotionValidator())
+        {
+        }
+
+        bool checkMotion(const ob::State *from, const ob::State *to) const override
+        {
+            if (!validator_->checkMotion(from, to))
+                return false;
+            accepted.insert(motionOf(*si_, from, to));
+            return true;
+        }
+
+        bool checkMotion(const ob::State *from, const ob::State *to,
+                         std::pair<ob::State *, double> &lastValid) const override
+        {
+            return checkMotion(from, to) || validator_->checkMotion(from, to, lastValid);
+        }
+
+        mutable std::set<Motion> accepted;
+
+    private:
+        ob::MotionValidatorPtr validator_;
+    };
+
+    /** Two cars and two discs among small boxes */
+    TeamSetupPtr cars(std::uint64_t seed)
+    {
+        Random random(seed);
+        const double half = 1.6;
+        std::vector<PlacedBody> bodies;
+        for (unsigned int i = 0; i < 6; ++i)
+            bodies.push_back(
+                {Body::box(random.uniform(0.05, 0.3), random.uniform(0.05, 0.3)),
+                 planarPose(random.uniform(-half, half), random.uniform(-half, half), random.uniform(-3.0, 3.0))});
+        const auto bounds = cubeBounds(2, half);
+        const auto team = std::make_shared<TeamStateSpace>();
+        for (const char *name : {"car_1", "car_2"})
+            team->addRobot(RigidRobot::inReedsShepp(name, Body::box(0.3, 0.15), 1.0, bounds));
+        for (const char *name : {"disc_1", "disc_2"})
+            team->addRobot(RigidRobot::disc(name, 0.1, bounds));
+        auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(bodies, 2));
+        setup->getSpaceInformation()->setup();
+        const auto start = randomFreeState(*setup, random, half);
+        setup->setStartAndGoalStates(start, randomFreeState(*setup, random, half));
+        return setup;
+    }
+}
+
+TEST_F(TeamPathSimplifierTest, ChecksEachNewMotion)
+{
+    // Of a shortest curve of a car a part may be another one, where OMPL finds one as short.
+    unsigned int solved = 0;
+    for (std::uint64_t seed = 1; seed <= scaled(20); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = cars(seed);
+        const auto si = setup->getSpaceInformation();
+        setup->setPlanner(std::make_shared<og::RRTConnect>(si));
+        if (setup->solve(evaluations(5000)) != ob::PlannerStatus::EXACT_SOLUTION)
+            continue;
+        ++solved;
+        og::PathGeometric path = setup->getSolutionPath();
+        const auto recorder = std::make_shared<Recorder>(si);
+        ASSERT_TRUE(path.check());
+        for (std::size_t i = 1; i < path.getStateCount(); ++i)
+            recorder->accepted.insert(motionOf(*si, path.getStates()[i - 1], path.getStates()[i]));
+        si->setMotionValidator(recorder);
+        TeamPathSimplifier simplifier(si, objectiveOf(*setup, seed % 2 == 0 ? "makespan" : "sum"));
+        simplifier.simplify(path, 300, ob::plannerNonTerminatingCondition());
+        for (std::size_t i = 1; i < path.getStateCount(); ++i)
+            EXPECT_EQ(recorder->accepted.count(motionOf(*si, path.getStates()[i - 1], path.getStates()[i])), 1U) << i;
+        EXPECT_TRUE(path.check());
+    }
+    EXPECT_GT(solved, scaled(20) / 2);
 }
 
 namespace

@@ -2,6 +2,7 @@
 #include "support/RandomStates.h"
 
 #include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
 #include <gtest/gtest.h>
@@ -79,12 +80,13 @@ namespace
                     ASSERT_LE(distance, bound * (times[b] - times[a]) * (1.0 + 1e-9) + 1e-11)
                         << "from " << times[a] << " to " << times[b];
                     // A jump may come at any time, and is all that the body turns by.
-                    const MotionBound &own = bounds[i / offsets.size()];
                     const double offset = offsets[i % offsets.size()].norm();
-                    const double jump = robot.getJump(i / offsets.size(), from.get(), to.get());
-                    if (jump > 0.0)
+                    if (const auto jump = robot.getJump(i / offsets.size(), from.get(), to.get()))
                     {
-                        ASSERT_LE(distance, own.linear * (times[b] - times[a]) + jump * offset * (1.0 + 1e-9) + 1e-11)
+                        EXPECT_LT(jump->steady.at(offset), 1e9);
+                        ASSERT_LE(distance, (jump->steady.at(offset) * (times[b] - times[a]) + jump->jump.at(offset)) *
+                                                    (1.0 + 1e-9) +
+                                                1e-11)
                             << "from " << times[a] << " to " << times[b] << " with a jump";
                     }
                 }
@@ -155,6 +157,44 @@ TEST(MotionBounds, HoldForRotationsFromNearlyNoneToHalfATurn)
         if (HasFailure())
             return;
     }
+}
+
+TEST(MotionBounds, HoldForArmsThatFlyAndNearlyKeepTheirRotation)
+{
+    KinematicTree tree("world");
+    KinematicTree::Joint fly, elbow;
+    fly.name = "fly";
+    fly.type = KinematicTree::JointType::FLOATING;
+    elbow.name = "elbow";
+    elbow.type = KinematicTree::JointType::REVOLUTE;
+    elbow.axis = Eigen::Vector3d::UnitY();
+    elbow.lower = -3.0;
+    elbow.upper = 3.0;
+    elbow.origin = poseAt({0.5, 0.0, 1.0});
+    tree.addLink("world", fly, "drone", Body::box(0.3, 0.3, 0.1));
+    tree.addLink("drone", elbow, "hand", Body::box(0.1, 0.1, 0.8));
+    ArmOptions options;
+    options.bounds = cubeBounds(3, 5.0);
+    const auto arm = std::make_shared<const Arm>("arm", tree, std::vector<std::string>{"fly", "elbow"}, options);
+    unsigned int jumps = 0;
+    for (unsigned int seed = 0; seed < scaled(500); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto from = randomState(random, arm->getStateSpace());
+        auto to = random.chance(0.5) ? from : randomState(random, arm->getStateSpace());
+        std::vector<double> start = from.reals(), end = to.reals();
+        const Eigen::Quaterniond rotation(start[6], start[3], start[4], start[5]);
+        const Eigen::Quaterniond turned =
+            rotation * Eigen::AngleAxisd(random.logUniform(1e-11, 1e-3), random.direction(3));
+        Eigen::Map<Eigen::Vector4d>(end.data() + 3) = turned.coeffs();
+        to = end;
+        checkMotionBounds(random, *arm, from, to);
+        jumps += arm->getJump(1, from.get(), to.get()) ? 1 : 0;
+        if (HasFailure())
+            return;
+    }
+    EXPECT_GT(jumps, scaled(500) / 2);
 }
 
 TEST(MotionBounds, AreNotWastefulForRigidRobots)

@@ -126,6 +126,9 @@ namespace ompl_certificates
         void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                  MotionBound *bounds) const override;
 
+        std::optional<Jump> getJump(std::size_t body, const ompl::base::State *from,
+                                    const ompl::base::State *to) const override;
+
         /** \brief See Robot. Only the joints between the two links count. */
         void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                      const MotionBound *bodyBounds, PairMotionBound *pairBounds) const override;

@@ -19,8 +19,8 @@ namespace ompl_certificates
         along each coordinate on the next level. The first checker of a robot settles the cells of the first two levels
         when it is made, up to some ten thousand of all pairs; checkers settle others when they need them, small ones, of
         the third or fourth level, when they need them again. What is known of a cell is true of the robot alone,
-        whatever the obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move
-        alike.
+        whatever the obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies are
+        equal and move alike.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
         them at once. Uses a byte for each cell of the first three levels, at most 35 kB, and up to a megabyte for the

@@ -53,7 +53,8 @@ namespace ompl_certificates
         void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                  MotionBound *bounds) const override;
 
-        double getJump(std::size_t body, const ompl::base::State *from, const ompl::base::State *to) const override;
+        std::optional<Jump> getJump(std::size_t body, const ompl::base::State *from,
+                                    const ompl::base::State *to) const override;
 
         bool isLike(const Robot &other) const override;
 

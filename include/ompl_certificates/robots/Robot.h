@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <ompl/base/StateSpace.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -137,14 +138,24 @@ namespace ompl_certificates
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 
-        /** \brief The angle by which a body turns at once, somewhere along that interpolation, if it does not turn
-            otherwise: OMPL jumps so in SO(3), where both orientations are nearly equal. No bound holds for a jump. So
-            that of computeMotionBounds() is then too large to prove anything, and the continuous mode leaves room for
-            the jump all along. 0 if there is none, as here. */
-        virtual double getJump(std::size_t /*body*/, const ompl::base::State * /*from*/,
-                               const ompl::base::State * /*to*/) const
+        /** \brief A motion of a body that moves at once somewhere along the way */
+        struct Jump
         {
-            return 0.0;
+            /** \brief The motion bound of all else */
+            MotionBound steady;
+
+            /** \brief How far the origin of the body's frame moves at once, and how far the body turns, at most */
+            MotionBound jump;
+        };
+
+        /** \brief How a body jumps along that interpolation: OMPL turns at once in SO(3), where both orientations are
+            nearly equal. No bound on the speed holds for a jump. So that of computeMotionBounds() is then too large to
+            prove anything, and the continuous mode leaves room for the jump all along. None if it does not jump, as
+            here, or if nothing is known. Asked only of bodies with such bounds. */
+        virtual std::optional<Jump> getJump(std::size_t /*body*/, const ompl::base::State * /*from*/,
+                                            const ompl::base::State * /*to*/) const
+        {
+            return std::nullopt;
         }
 
         /** \brief Write how fast the bodies of each pair move relative to each other along that interpolation: one
@@ -159,8 +170,9 @@ namespace ompl_certificates
         /** \brief The joint cells of a pair of bodies, by its index in getBodyPairs(), if their relative pose depends
             on few coordinates. In them, checkers remember where the two are apart. Null if there are none, as here.
 
-            Return the same cells each time, and share them among robots for which the relative pose is the same
-            function of the same coordinates, within the same bounds. The space must interpolate these values linearly,
+            Return the same cells each time, and share them only among robots whose two bodies are equal and for which
+            the relative pose is the same function of the same coordinates, within the same bounds: cells know where
+            these two bodies touch. The space must interpolate these values linearly,
             or the shorter way round where they wrap. Called when a checker is made, and never later. */
         virtual std::shared_ptr<JointCells> getJointCells(std::size_t /*pair*/) const
         {
