@@ -1,3 +1,4 @@
+#include "support/ForwardingObstacles.h"
 #include "support/RandomBodies.h"
 #include "support/RandomMeshes.h"
 
@@ -5,6 +6,7 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -42,9 +44,61 @@ namespace
             return true;
         }
 
+        bool isClearanceCheap() const override
+        {
+            return false;
+        }
+
         double getTolerance() const override
         {
             return 0.1;
+        }
+    };
+
+    /** A box that is a part of its own number, and knows of no other part */
+    class NumberedBox : public ForwardingObstacles
+    {
+    public:
+        explicit NumberedBox(ObstaclePart number)
+          : ForwardingObstacles(std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0)}}, 2))
+          , number_(number)
+        {
+        }
+
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const override
+        {
+            *hit = number_;
+            return collides(body, pose) ? Touching::YES : Touching::NO;
+        }
+
+        bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override
+        {
+            if (part != number_)
+                throw std::out_of_range("no such part");
+            return collides(body, pose);
+        }
+
+    private:
+        ObstaclePart number_;
+    };
+
+    /** A ball that moves in the world above, where the margin of proofs is large, and of which only a proof counts */
+    struct MovingBall
+    {
+        const std::shared_ptr<Imprecise> obstacles = std::make_shared<Imprecise>();
+        CertifiedEnvironment environment{obstacles};
+        const Body body = Body::disc(0.25);
+        const Pose pose = planarPose(2.0, 0.0);
+        const MotionBound bound{0.5, 0.0};
+        const PoseQuery query{body, pose, &bound, 0.25};
+        SwitchingPolicy policy;
+        CheckCounts counts;
+
+        /** Adds a certificate that proves the ball free with a \e fraction of the cushion for rounding. */
+        void addCertificate(double fraction)
+        {
+            const double margin = (1.0 + fraction * CertifiedEnvironment::PROOF_CUSHION) * environment.getMargin(body);
+            environment.add({pose.translation(), 0.25 + query.leastSlack(body.getSphereTree().getRoot()) + margin});
         }
     };
 }
@@ -179,4 +233,65 @@ TEST(Environment, IsNotProvedFreeByGapsWithinTheTolerance)
             ASSERT_EQ(verdict.free, gap > 0.1);
         }
     }
+}
+
+TEST(Environment, StaysFreeByAGapLessTheMargin)
+{
+    const auto obstacles = std::make_shared<Imprecise>();
+    const CertifiedEnvironment environment(obstacles);
+    const Body body = Body::box(1.0, 1.0);
+    const MotionBound bound{0.1, 0.0};
+    SwitchingPolicy policy;
+    CheckCounts counts;
+    double longest = 0.0;
+    // The first questions of a policy are trials, which look certificates up or ask clearances.
+    for (int i = 0; i < 100; ++i)
+    {
+        const PoseVerdict verdict =
+            environment.settle({body, planarPose(1.15, 0.0), &bound, 0.0, 10.0}, NO_CERTIFICATE, policy, counts);
+        longest = std::max(longest, verdict.validInterval * bound.linear);
+    }
+    EXPECT_NEAR(longest, 0.15 - environment.getMargin(body), 1e-4);
+}
+
+/** So the clearance at any other time of that interval proves the same. */
+TEST(Environment, StaysProvedByAClearanceLessTheCushion)
+{
+    MovingBall ball;
+    ObstaclePart part;
+    const double clearance = ball.obstacles->findNearest(ball.pose.translation(), part);
+    const PoseVerdict verdict = ball.environment.settle(ball.query, NO_CERTIFICATE, ball.policy, ball.counts);
+    EXPECT_TRUE(verdict.free);
+    EXPECT_NEAR(verdict.validInterval * ball.bound.linear,
+                clearance - 0.25 - ball.environment.getProofMargin(ball.query), 1e-9);
+}
+
+TEST(Environment, IsProvedByItsCertificatesWithAllOfTheCushion)
+{
+    for (const double fraction : {0.5, 1.5})
+    {
+        MovingBall hinted, searched;
+        hinted.addCertificate(fraction);
+        PoseVerdict verdict;
+        EXPECT_EQ(hinted.environment.settleByHint(hinted.query, 0, verdict), fraction > 1.0);
+        searched.addCertificate(fraction);
+        verdict = searched.environment.settle(searched.query, NO_CERTIFICATE, searched.policy, searched.counts);
+        EXPECT_TRUE(verdict.free);
+        EXPECT_EQ(searched.counts.clearanceQueries, fraction > 1.0 ? 0U : 1U);
+    }
+}
+
+TEST(Environment, ForgetsItsHitsWithItsObstacles)
+{
+    CertifiedEnvironment environment(std::make_shared<NumberedBox>(7));
+    const Body body = Body::box(0.5, 0.25);
+    const Pose pose = planarPose(0.77, 0.0, 0.46);  // a corner touches, which no clearance proves
+    SwitchingPolicy policy;
+    CheckCounts counts;
+    const auto isFree = [&] { return environment.settle({body, pose}, NO_CERTIFICATE, policy, counts).free; };
+    EXPECT_FALSE(isFree());
+    EXPECT_FALSE(isFree());
+    EXPECT_EQ(counts.hitAgain, 1U);
+    environment.setObstacles(std::make_shared<NumberedBox>(8));
+    EXPECT_FALSE(isFree());
 }
