@@ -1,5 +1,8 @@
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
+#include "support/TeamOf.h"
+
+#include "validity/ContinuousMotionCheck.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
@@ -335,4 +338,57 @@ TEST(ContinuousMotion, IsNotHinderedByDiscsThatStandNearlyTouching)
         to = std::vector<double>{0.0, 0.0, distance, 0.0, 4.0, 2.0};
         EXPECT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), distance > 0.3);
     }
+}
+
+namespace
+{
+    /** Proves a robot free for one interval, and notes at which times it is asked */
+    class ProvesAnInterval : public CheckMethod
+    {
+    public:
+        ProvesAnInterval(double interval, std::vector<double> &times) : interval_(interval), times_(times)
+        {
+        }
+
+        SubjectVerdict settleRobot(unsigned int /*robot*/, CheckContext & /*context*/,
+                                   const MotionSample &sample) const override
+        {
+            times_.push_back(sample.time);
+            return {true, interval_, interval_};
+        }
+
+        void clear() override
+        {
+        }
+
+        void setObstacles(const ObstaclesPtr & /*obstacles*/) override
+        {
+        }
+
+    private:
+        double interval_;
+        std::vector<double> &times_;
+    };
+}
+
+/** Valid intervals are open, and rounded. */
+TEST(ContinuousMotion, IsCheckedAgainInACellThatEndsWithAValidInterval)
+{
+    const auto space = teamOf({RigidRobot::disc("disc", 0.1, cubeBounds(2, HALF))});
+    space->setLongestValidSegmentFraction(0.01);
+    space->setup();
+    ob::ScopedState<> from(space), to(space);
+    from = std::vector<double>{0.0, 0.0};
+    to = std::vector<double>{1.0, 0.0};
+    ASSERT_EQ(space->validSegmentCount(from.get(), to.get()), 8U);
+    std::vector<double> times, middles;
+    // From the middle of a segment, one and a half of them end with the last cell of the next.
+    const TeamCheck check(Team(space), std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2),
+                          std::make_unique<ProvesAnInterval>(1.5 / 8.0, times));
+    CheckContext context(check.getTeam(), 0);
+    double freeUntil;
+    EXPECT_TRUE(ContinuousMotionCheck(check, context, from.get(), to.get()).isFree(freeUntil));
+    for (int segment = 0; segment < 8; ++segment)
+        middles.push_back((segment + 0.5) / 8.0);
+    EXPECT_EQ(times, middles);
 }

@@ -1,8 +1,10 @@
+#include "certificates/CertifiedEnvironment.h"
 #include "validity/RobotPairs.h"
 
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
 #include "support/Fcl.h"
+#include "support/TeamOf.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -198,4 +200,22 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             }
         }
     }
+}
+
+/** Whatever is asked at another time of that interval proves the same. */
+TEST(RobotPairs, ThatAreDiscsMeetNoSoonerThanTheirGapLessTheMarginSays)
+{
+    const auto space = teamOf(
+        {RigidRobot::disc("left", 1.0, cubeBounds(2, HALF)), RigidRobot::disc("right", 1.0, cubeBounds(2, HALF))});
+    const Team team(space);
+    const RobotPairs pairs(team, Method::SHARED_PROJECTION, nullptr);
+    CheckContext context(team, pairs.getBodyPairCount());
+    const double gap = 0.5, speed = 4.0;
+    context.poses = {planarPose(-1.0 - 0.5 * gap, 0.0), planarPose(1.0 + 0.5 * gap, 0.0)};
+    context.motionBounds = {{0.5 * speed, 0.0}, {0.5 * speed, 0.0}};
+    const SubjectVerdict verdict = pairs.settle(0, context, {true});
+    const double margin = 2.0 * exactCheckTolerance(2.0) * (1.0 + CertifiedEnvironment::PROOF_CUSHION);
+    EXPECT_TRUE(verdict.free);
+    EXPECT_NEAR(verdict.after * speed, gap - margin, 1e-10);
+    EXPECT_NEAR(pairs.provenInterval(0, context) * speed, gap - margin, 1e-10);
 }

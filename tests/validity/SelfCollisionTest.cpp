@@ -64,6 +64,35 @@ namespace
                                                                 {link, planarPose(1.0, 0.0), z, 0.0}},
                                        pairsApart(3));
     }
+
+    /** Three boxes in a row, the first on a rail. The third reaches back to it. */
+    std::shared_ptr<const Chain> linksOnARail(std::uint64_t seed)
+    {
+        Random random(seed);
+        const Body link({{Shape::box(Eigen::Vector3d(1.0, 0.2, 0.2)), poseAt({0.5, 0.0, 0.0})}});
+        std::vector<Chain::Link> links{{link, Pose::Identity(), random.direction(3), 1.0}};
+        for (int i = 0; i < 2; ++i)
+            links.push_back({link, poseAt({1.0, 0.0, 0.0}), random.direction(3), 0.0});
+        return std::make_shared<Chain>("arm", links, pairsApart(3));
+    }
+
+    /** A small box at the end of a bar that turns towards a wall, which it touches at \e angle. The wall is on a rail
+        that begins \e far from the origin. */
+    std::shared_ptr<const Chain> wallOnARail(double far, double angle, double half)
+    {
+        const Pose joint = poseAt({0.3, 0.4, 0.1});
+        const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+        Pose wall = joint, rail = poseAt({far, far, far});
+        wall.rotate(Eigen::AngleAxisd(angle + half, z));
+        wall.translate(Eigen::Vector3d(1.0, 0.25, 0.0));
+        const Shape large = Shape::box(Eigen::Vector3d(0.5, 0.5, 0.5)),
+                    small = Shape::box(Eigen::Vector3d(2.0 * half, 2.0 * half, 2.0 * half));
+        return std::make_shared<Chain>(
+            "arm",
+            std::vector<Chain::Link>{{Body({{large, wall}}), rail, z, 1.0},
+                                     {Body({{small, poseAt({1.0, 0.0, 0.0})}}), joint, z, 0.0}},
+            std::vector<BodyPair>{{0, 1}});
+    }
 }
 
 class SelfCollision : public ErrorsOnly<unsigned int>
@@ -385,4 +414,64 @@ TEST(SelfCollisions, IsSeenBetweenSamplesByTheContinuousMode)
     to = std::vector<double>{0.0, -1.6};
     EXPECT_TRUE(setup.getSpaceInformation()->checkMotion(from.get(), to.get()));
     EXPECT_TRUE(validator.isRobotMotionFree(0, own(from), own(to)));
+}
+
+/** A state beyond its bounds proves nothing: motion bounds and the reaches of cells may not hold there. */
+TEST(SelfCollisions, OfStatesBeyondTheirBoundsTeachTheCellsNothing)
+{
+    using Answer = JointCells::Answer;
+    unsigned int beyond = 0, within = 0;
+    for (unsigned int seed = 0; seed < scaled(10); ++seed)
+    {
+        const auto arm = linksOnARail(seed);
+        const auto team = teamOf({arm});
+        TeamSetup setup(team, noObstacles(3));
+        setup.getSpaceInformation()->setup();
+        setup.getTeamChecker()->setCertificatesAfter(0);
+        setup.getTeamChecker()->setAdaptive(false);
+        Random random(seed);
+        for (int i = 0; i < 300; ++i)
+        {
+            auto state = randomState(random, team);
+            const auto answer = [&] { return arm->getJointCells(0)->find({state[1], state[2]}).answer; };
+            if (answer() != Answer::UNKNOWN)
+                continue;
+            for (const double slide : {1.5, 0.5})
+            {
+                state[0] = slide;
+                for (int k = 0; k < 3; ++k)
+                    setup.getTeamChecker()->isValid(state.get());
+                const bool learns = answer() != Answer::UNKNOWN && answer() != Answer::ASKED;
+                (slide > 1.0 ? beyond : within) += learns ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_EQ(beyond, 0U);
+    EXPECT_GT(within, 0U);
+}
+
+/** There the relative pose of two bodies is rounded otherwise wherever the rest of the robot is. */
+TEST(SelfCollisions, FarFromTheOriginAreWhatFclSays)
+{
+    unsigned int touching = 0, apart = 0;
+    for (unsigned int seed = 0; seed < scaled(20); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double angle = random.uniform(-2.0, 2.0);
+        const auto team = teamOf({wallOnARail(1e12, angle, 0.01)});
+        const Checkers checkers(team, noObstacles(3));
+        for (int i = 0; i < 500; ++i)
+        {
+            ob::ScopedState<> state(team);
+            state =
+                std::vector<double>{random.uniform(-1.0, 1.0), angle + random.sign() * random.logUniform(1e-6, 1e-2)};
+            const bool isValid = checkers.isValid(state.get());
+            ++(isValid ? apart : touching);
+            for (const auto &setup : checkers.compared())
+                ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), isValid);
+        }
+    }
+    EXPECT_GT(touching, scaled(1000));
+    EXPECT_GT(apart, scaled(1000));
 }
