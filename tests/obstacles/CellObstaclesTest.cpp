@@ -286,6 +286,28 @@ TEST(CellObstacles, InThePlaneMeetMeshesAtAnyHeight)
     EXPECT_TRUE(obstacles.staysFree(body, planarPose(0.15, 1.15), 0.1));
 }
 
+/** Parts of a body that touch none of many cells near it are tried one by one. */
+TEST(CellObstacles, TouchADumbbellBeyondManyBetweenItsBalls)
+{
+    const Body dumbbell(
+        {{Shape::ball(3, 0.1), poseAt({-1.0, 0.0, 0.0})}, {Shape::ball(3, 0.1), poseAt({1.0, 0.0, 0.0})}});
+    std::vector<CellBox> between;
+    for (std::int32_t i = -40; i < 40; i += 4)
+        between.push_back({{i, 0, 0}, {i + 1, 1, 1}});
+    const CellObstacles clear(0.02, between);
+    EXPECT_FALSE(clear.collides(dumbbell, Pose::Identity()));
+    EXPECT_TRUE(clear.staysFree(dumbbell, Pose::Identity(), 0.05));
+    for (const std::int32_t inBall : {-50, 50})
+    {
+        std::vector<CellBox> cells = between;
+        cells.push_back({{inBall, 0, 0}, {inBall + 1, 1, 1}});
+        const CellObstacles obstacles(0.02, cells);
+        EXPECT_TRUE(obstacles.collides(dumbbell, Pose::Identity()));
+        EXPECT_EQ(obstacles.touches(dumbbell, Pose::Identity()), Touching::YES);
+        EXPECT_FALSE(obstacles.staysFree(dumbbell, Pose::Identity(), 0.05));
+    }
+}
+
 TEST(CellObstacles, InThePlaneAreAllOfALongBoxAboveOrBelowAShortOne)
 {
     const CellBox longer{{0, 0, 0}, {10, 1, 1}}, shorter{{2, 0, 2}, {3, 1, 3}};
