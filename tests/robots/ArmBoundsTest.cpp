@@ -153,6 +153,36 @@ TEST(Arm, NoPointMovesFartherThanItsBoundBeyondTheLimitsEither)
     expectBoundsOf(Arm("planar", planar, {"turn", "plane"}, options), {-0.5, 5.0, 0.0, 0.0}, {0.5, 5.0, 0.0, 0.0});
 }
 
+/** Such points lie on a circle that is tilted against the other axis, of which some points are tried alone. */
+TEST(Arm, NoPointMovesFartherThanItsBoundWhereItReachesFarthest)
+{
+    Random random(1);
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    for (unsigned int i = 0; i < scaled(20); ++i)
+    {
+        KinematicTree tree("base");
+        tree.addLink("base", joint("turn", JointType::REVOLUTE, {0.0, 0.0, 0.0}, z), "one");
+        tree.addLink("one", joint("tilted", JointType::REVOLUTE, random.point(3, 0.3), random.direction(3), -4.0, 4.0),
+                     "two", Body({{Shape::ball(3, 0.01), poseAt(random.direction(3))}}));
+        const Arm arm("arm", tree, {"turn", "tilted"}, {});
+        ob::ScopedState<> state(arm.getStateSpace());
+        double most = 0.0, farthest = 0.0;
+        for (double angle = -M_PI; angle < M_PI; angle += 1e-3)
+        {
+            Pose pose;
+            state = std::vector<double>{0.0, angle};
+            arm.computePoses(state.get(), &pose);
+            if (const double distance = pose.translation().head<2>().norm(); distance > most)
+            {
+                most = distance;
+                farthest = angle;
+            }
+        }
+        // So short that a chord is as long as its arc
+        expectBoundsOf(arm, {0.0, farthest}, {0.01, farthest});
+    }
+}
+
 TEST(Arm, BoundsAreTight)
 {
     ompl::RNG::setSeed(22);
