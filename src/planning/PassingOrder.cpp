@@ -2,6 +2,7 @@
 
 #include "PathPieces.h"
 
+#include "geometry/ShortestText.h"
 #include "validity/Prover.h"
 #include "validity/TeamCheck.h"
 
@@ -188,12 +189,12 @@ namespace ompl_certificates
         std::vector<double> listTimes(const ompl::geometric::PathGeometric &path, double step)
         {
             const TimedPath timed(path);
-            const double stages = (timed.getTimes().back() - timed.getTimes().front()) / step;
-            if (step > 0.0 && stages + static_cast<double>(path.getStateCount()) > PassingOrder::MOST_STAGES)
+            const double duration = timed.getTimes().back() - timed.getTimes().front();
+            if (step > 0.0 && duration / step + static_cast<double>(path.getStateCount()) > PassingOrder::MOST_STAGES)
                 throw ompl::Exception("A passing order has at most " + std::to_string(PassingOrder::MOST_STAGES) +
-                                      " stages: a path that takes " +
-                                      std::to_string(timed.getTimes().back() - timed.getTimes().front()) +
-                                      " needs a step larger than " + std::to_string(step));
+                                      " stages: a path of " + std::to_string(path.getStateCount()) +
+                                      " states that takes " + shortestText(duration) + " needs a step larger than " +
+                                      shortestText(step));
             return timed.listTimes(step);
         }
     }

@@ -25,9 +25,16 @@ namespace ompl_certificates
         /** \brief A robot begins a stage only after another robot has ended one of its own, an earlier one. */
         struct Wait
         {
+            /** \brief Who waits */
             unsigned int robot;
+
+            /** \brief For which of its stages */
             std::size_t stage;
+
+            /** \brief Whom it waits for */
             unsigned int other;
+
+            /** \brief Which stage that one must have ended */
             std::size_t otherStage;
         };
 
@@ -35,7 +42,13 @@ namespace ompl_certificates
             it. */
         struct Meeting
         {
-            unsigned int first, second;
+            /** \brief One robot */
+            unsigned int first;
+
+            /** \brief The other one, of larger index */
+            unsigned int second;
+
+            /** \brief Which stage they drive together */
             std::size_t stage;
         };
 
