@@ -625,7 +625,8 @@ class Proof:
 class PassingOrder:
     """Which robot passes first wherever the ways of two robots of a plan cross, for robots that may be late. The plan
     is cut into stages in time. Each robot drives its stages one after the other at its own pace, and begins one only
-    when may_begin() says so: then no two robots touch, and none waits forever."""
+    when may_begin() says so; the robots of a group() drive that stage together, by one clock. Then no two robots touch,
+    and none waits forever."""
     @property
     def times(self) -> NDArray[np.float64]:
         """When the stages begin and end in the plan, of shape (stages + 1,): stage i is from times[i] to times[i +
@@ -637,11 +638,14 @@ class PassingOrder:
         out."""
     @property
     def meetings(self) -> NDArray[np.int64]:
-        """Which robots must drive which stages together, as the plan does, since they are too close to each other
-        there, of shape (m, 3): first, second, stage. They wait for each other before it. Smaller stages leave fewer."""
+        """Which robots drive which stages together, by one clock, as the plan does, since they are too close to each
+        other there, of shape (m, 3): first, second, stage. They wait for each other before it. Smaller stages leave
+        fewer."""
+    def group(self, robot: Whole, stage: Whole) -> List[int]:
+        """The robots that drive a stage together with a robot, and itself, by their indices in the scene"""
     def may_begin(self, robot: Whole, ended: Union[Sequence[Whole], NDArray[Any]]) -> bool:
-        """Whether a robot, by its index in the scene, may begin its next stage, if each robot has ended that many
-        stages. False if it has ended all."""
+        """Whether a robot, by its index in the scene, and all others of its group() may begin their next stage, if each
+        robot has ended that many stages. False if it has ended all."""
 
 class Plan:
     """What came of a plan"""

@@ -19,6 +19,13 @@ namespace ompl_certificates_python
     {
         using Integers = py::array_t<std::int64_t>;
 
+        /** The index of a robot; of none if it is too large */
+        unsigned int toIndex(const Number &number)
+        {
+            constexpr std::uint64_t most = std::numeric_limits<unsigned int>::max();
+            return static_cast<unsigned int>(std::min<std::uint64_t>(number, most));
+        }
+
         /** One row for each of \e items, with the numbers that \e write gives it */
         template <typename Item, typename Write>
         Integers toRows(const std::vector<Item> &items, py::ssize_t columns, const Write &write)
@@ -38,7 +45,8 @@ namespace ompl_certificates_python
             module, "PassingOrder",
             "Which robot passes first wherever the ways of two robots of a plan cross, for robots that may be late. The "
             "plan is cut into stages in time. Each robot drives its stages one after the other at its own pace, and "
-            "begins one only when may_begin() says so: then no two robots touch, and none waits forever.");
+            "begins one only when may_begin() says so; the robots of a group() drive that stage together, by one clock. "
+            "Then no two robots touch, and none waits forever.");
         forbidNew(order, "Plan.passing_order() makes them");
         order
             .def_property_readonly(
@@ -69,19 +77,22 @@ namespace ompl_certificates_python
                                       return std::array<std::size_t, 3>{meeting.first, meeting.second, meeting.stage};
                                   });
                 },
-                "Which robots must drive which stages together, as the plan does, since they are too close to each other "
-                "there, of shape (m, 3): first, second, stage. They wait for each other before it. Smaller stages leave "
-                "fewer.")
+                "Which robots drive which stages together, by one clock, as the plan does, since they are too close to "
+                "each other there, of shape (m, 3): first, second, stage. They wait for each other before it. Smaller "
+                "stages leave fewer.")
+            .def(
+                "group",
+                [](const PassingOrder &self, const Number &robot, const Number &stage)
+                { return self.getGroup(toIndex(robot), stage); },
+                py::arg("robot"), py::arg("stage"),
+                "The robots that drive a stage together with a robot, and itself, by their indices in the scene")
             .def(
                 "may_begin",
                 [](const PassingOrder &self, const Number &robot, const std::vector<std::size_t> &ended)
-                {
-                    constexpr std::uint64_t most = std::numeric_limits<unsigned int>::max();
-                    return self.mayBegin(static_cast<unsigned int>(std::min<std::uint64_t>(robot, most)), ended);
-                },
+                { return self.mayBegin(toIndex(robot), ended); },
                 py::arg("robot"), py::arg("ended"),
-                "Whether a robot, by its index in the scene, may begin its next stage, if each robot has ended that many "
-                "stages. False if it has ended all.")
+                "Whether a robot, by its index in the scene, and all others of its group() may begin their next stage, if "
+                "each robot has ended that many stages. False if it has ended all.")
             .def("__repr__",
                  [](const PassingOrder &self)
                  {

@@ -19,21 +19,19 @@ def is_reached_when_all_heed(plan: oc.Plan, order: oc.PassingOrder, checker: oc.
     """Whether late robots reach their goals, and no two of them touch"""
     chance = random.Random(seed)
     stages = len(order.times) - 1
-    together = {(robot, stage) for first, second, stage in order.meetings for robot in (first, second)}
     ended = [0, 0]
     while min(ended) < stages:
-        moving = [robot for robot in range(2) if order.may_begin(robot, ended)]
-        if any((robot, ended[robot]) in together for robot in moving):
-            assert moving == [0, 1]
-        else:
-            moving = [chance.choice(moving)]
+        free = [robot for robot in range(2) if order.may_begin(robot, ended)]
+        leader = chance.choice(free)
+        moving = order.group(leader, ended[leader])
         for part in np.linspace(0, 1, 5):
             state = np.empty(4)
             for robot in range(2):
                 stage = ended[robot]
                 end = order.times[min(stage + 1, stages)]
                 way = part * (end - order.times[stage]) if robot in moving else 0.0
-                state[2 * robot : 2 * robot + 2] = plan.at(order.times[stage] + way)[2 * robot : 2 * robot + 2]
+                own = slice(2 * robot, 2 * robot + 2)
+                state[own] = plan.at(order.times[stage] + way)[own]
             if not checker.is_valid(state):
                 return False
         for robot in moving:
@@ -52,6 +50,9 @@ def test_late_robots_keep_the_order() -> None:
     assert order.meetings.shape[1] == 3
     for seed in range(20):
         assert is_reached_when_all_heed(plan, order, checker, seed), seed
+    meetings = plan.passing_order(5).meetings
+    assert len(meetings) > 0
+    assert plan.passing_order(5).group(0, meetings[0][2]) == [0, 1]
     robot, stage, other, other_stage = order.waits[-1]
     assert other_stage < stage
     ended = np.array([stage, stage])

@@ -20,9 +20,6 @@ namespace ompl_certificates
 
     namespace
     {
-        /** Each stage is looked at in so many pieces, which leaves fewer robots that seem to be in each other's way. */
-        constexpr std::size_t PIECES = 4;
-
         /** How many stages of another robot must be ended before each stage begins: no fewer than for those before */
         using Counts = std::vector<std::size_t>;
 
@@ -119,7 +116,7 @@ namespace ompl_certificates
 
             static StageRange stagesOf(const Span &span)
             {
-                return {span.first / PIECES, (span.last - 1) / PIECES + 1};
+                return {span.first / PathPieces::PIECES, (span.last - 1) / PathPieces::PIECES + 1};
             }
 
             /** Whether there is nothing new to be noted of the stages of two spans */
@@ -174,26 +171,16 @@ namespace ompl_certificates
                     waits.push_back({robot, stage, other, counts[stage] - 1});
         }
 
-        std::vector<double> divide(const std::vector<double> &times)
-        {
-            std::vector<double> all{times.front()};
-            for (std::size_t i = 1; i < times.size(); ++i)
-            {
-                for (std::size_t piece = 1; piece < PIECES; ++piece)
-                    all.push_back(times[i - 1] + (times[i] - times[i - 1]) * static_cast<double>(piece) / PIECES);
-                all.push_back(times[i]);
-            }
-            return all;
-        }
-
         std::vector<double> listTimes(const ompl::geometric::PathGeometric &path, double step)
         {
             const TimedPath timed(path);
             const double duration = timed.getTimes().back() - timed.getTimes().front();
+            const std::string most = "A passing order has at most " + std::to_string(PassingOrder::MOST_STAGES) +
+                                     " stages, but a path of " + std::to_string(path.getStateCount()) + " states ";
+            if (path.getStateCount() > PassingOrder::MOST_STAGES)
+                throw ompl::Exception(most + "has more, whatever the step");
             if (step > 0.0 && duration / step + static_cast<double>(path.getStateCount()) > PassingOrder::MOST_STAGES)
-                throw ompl::Exception("A passing order has at most " + std::to_string(PassingOrder::MOST_STAGES) +
-                                      " stages: a path of " + std::to_string(path.getStateCount()) +
-                                      " states that takes " + shortestText(duration) + " needs a step larger than " +
+                throw ompl::Exception(most + "that takes " + shortestText(duration) + " has more in steps of " +
                                       shortestText(step));
             return timed.listTimes(step);
         }
@@ -214,7 +201,7 @@ namespace ompl_certificates
         const TeamCheck &check = prover->getTeamCheck();
         const RobotPairs &pairs = check.getPairs();
         const CheckContextPool::Lease context(check.getContexts());
-        const PathPieces pieces(path, team, stateTimes(path), divide(times_));
+        const PathPieces pieces(path, team, stateTimes(path), times_);
         for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
         {
             const unsigned int first = pairs.getFirst(pair), second = pairs.getSecond(pair);
@@ -234,6 +221,33 @@ namespace ompl_certificates
                   { return std::tie(a.stage, a.first, a.second) < std::tie(b.stage, b.first, b.second); });
     }
 
+    std::vector<unsigned int> PassingOrder::getGroup(unsigned int robot, std::size_t stage) const
+    {
+        if (robot >= robotCount_)
+            throw ompl::Exception("There is no robot " + std::to_string(robot));
+        std::vector<unsigned int> group{robot};
+        const auto join = [&group](unsigned int known, unsigned int other)
+        {
+            if (std::find(group.begin(), group.end(), known) == group.end() ||
+                std::find(group.begin(), group.end(), other) != group.end())
+                return false;
+            group.push_back(other);
+            return true;
+        };
+        const auto [begin, end] =
+            std::equal_range(meetings_.begin(), meetings_.end(), Meeting{0, 0, stage},
+                             [](const Meeting &a, const Meeting &b) { return a.stage < b.stage; });
+        // Those that meet one of them belong to them, too.
+        for (bool hasGrown = true; hasGrown;)
+        {
+            hasGrown = false;
+            for (auto meeting = begin; meeting != end; ++meeting)
+                hasGrown = join(meeting->first, meeting->second) || join(meeting->second, meeting->first) || hasGrown;
+        }
+        std::sort(group.begin(), group.end());
+        return group;
+    }
+
     bool PassingOrder::mayBegin(unsigned int robot, const std::vector<std::size_t> &ended) const
     {
         if (ended.size() != robotCount_)
@@ -242,12 +256,17 @@ namespace ompl_certificates
         if (robot >= robotCount_)
             throw ompl::Exception("There is no robot " + std::to_string(robot));
         const std::size_t stage = ended[robot];
-        auto wait = std::partition_point(waits_.begin(), waits_.end(),
-                                         [&](const Wait &each)
-                                         { return std::tie(each.robot, each.stage) < std::tie(robot, stage); });
-        for (; wait != waits_.end() && wait->robot == robot && wait->stage == stage; ++wait)
-            if (ended[wait->other] <= wait->otherStage)
-                return false;
-        return stage < getStageCount();
+        const auto mayOne = [&](unsigned int member)
+        {
+            auto wait = std::partition_point(waits_.begin(), waits_.end(),
+                                             [&](const Wait &each)
+                                             { return std::tie(each.robot, each.stage) < std::tie(member, stage); });
+            for (; wait != waits_.end() && wait->robot == member && wait->stage == stage; ++wait)
+                if (ended[wait->other] <= wait->otherStage)
+                    return false;
+            return ended[member] == stage;
+        };
+        const std::vector<unsigned int> group = getGroup(robot, stage);
+        return stage < getStageCount() && std::all_of(group.begin(), group.end(), mayOne);
     }
 }

@@ -9,11 +9,14 @@
 
 namespace ompl_certificates
 {
-    /** \brief A path cut into pieces in time: where each robot is during one piece, or during several one after the
-        other, as a tree of halves */
+    /** \brief A path cut into stages in time, each of which is cut into equal pieces: where each robot is during one
+        piece, or during several one after the other, as a tree of halves */
     class PathPieces
     {
     public:
+        /** \brief How many pieces a stage has */
+        static constexpr std::size_t PIECES = 4;
+
         /** \brief Where a robot is from piece \e first until before piece \e last */
         struct Span
         {
@@ -33,7 +36,7 @@ namespace ompl_certificates
             }
         };
 
-        /** \param times of the pieces, among them \e stateTimes, those of the path's states */
+        /** \param times when stages begin and end, among them \e stateTimes, those of the path's states */
         PathPieces(const ompl::geometric::PathGeometric &path, const Team &team, const std::vector<double> &stateTimes,
                    const std::vector<double> &times);
 
@@ -50,10 +53,9 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief How far any point of each robot moves in each piece, at most: robots × pieces */
-        std::vector<std::vector<double>> measure(const ompl::geometric::PathGeometric &path,
-                                                 const std::vector<double> &stateTimes,
-                                                 const std::vector<double> &times) const;
+        /** \brief How far any point of a robot moves in each piece of each stage, at most */
+        std::vector<double> measure(unsigned int robot, const ompl::geometric::PathGeometric &path,
+                                    const std::vector<double> &stateTimes, const std::vector<double> &times) const;
 
         /** \brief Makes the span at \e index, and its halves behind all others */
         void fill(unsigned int robot, std::size_t index, const std::vector<double> &travels);

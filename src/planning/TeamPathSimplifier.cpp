@@ -17,18 +17,17 @@ namespace ompl_certificates
 
     namespace
     {
-        /** A change must lower the cost by that part of it: many tiny gains would fill the path with corners. */
+        /** A change must lower the cost by that part of the whole path's: many tiny gains would fill the path with corners. */
         constexpr double LEAST_GAIN = 1e-5;
 
         /** A path is good enough when that many attempts for each corner lower its cost by less than that part. */
         constexpr std::uint64_t ATTEMPTS_PER_CORNER = 20;
         constexpr double LEAST_PROGRESS = 1e-3;
 
-        /** Whether a cost is better than an old one, and differs from it by a part of that at least */
-        bool isBetterBy(double part, const ob::OptimizationObjective &objective, ob::Cost cost, ob::Cost old)
+        /** Whether a cost is better than an old one, and differs from it by more than \e gain */
+        bool isBetterBy(double gain, const ob::OptimizationObjective &objective, ob::Cost cost, ob::Cost old)
         {
-            return objective.isCostBetterThan(cost, old) &&
-                   std::abs(cost.value() - old.value()) > part * std::abs(old.value());
+            return objective.isCostBetterThan(cost, old) && std::abs(cost.value() - old.value()) > gain;
         }
 
         /** A motion of a smaller part of a path's time is one of rounding. */
@@ -148,9 +147,11 @@ namespace ompl_certificates
             return takeTeamShortcut(first, last);
         }
 
-        og::PathGeometric getPath(const ob::SpaceInformationPtr &si) const
+        /** \param hasLeftOut becomes true if a motion of the path may be one that was not checked */
+        og::PathGeometric getPath(const ob::SpaceInformationPtr &si, bool &hasLeftOut) const
         {
             og::PathGeometric path(si);
+            hasLeftOut = paths_.hasLeftOut();
             const std::vector<double> times = paths_.timesWithin(0.0, paths_.getDuration());
             for (std::size_t i = 0; i < times.size(); ++i)
             {
@@ -160,8 +161,12 @@ namespace ompl_certificates
                                    motionTime(*si->getStateSpace(), path.getStates().back(), before_) > 0.0;
                 if (moves || (i + 1 == times.size() && path.getStateCount() == 1))
                     path.append(before_);
-                else if (i + 1 == times.size())
-                    si->copyState(path.getStates().back(), before_);
+                else
+                {
+                    hasLeftOut = true;
+                    if (i + 1 == times.size())
+                        si->copyState(path.getStates().back(), before_);
+                }
             }
             return path;
         }
@@ -337,7 +342,9 @@ namespace ompl_certificates
             };
             exchange();
             const auto changed = cost(begin, end);
-            const bool isBetter = changed && (isBetterBy(LEAST_GAIN, objective_, *changed, *old) ||
+            if (isWhole)
+                leastGain_ = LEAST_GAIN * std::abs(old->value());
+            const bool isBetter = changed && (isBetterBy(leastGain_, objective_, *changed, *old) ||
                                               (!objective_.isCostBetterThan(*old, *changed) && areShorter(changes)));
             if (isBetter && isValid(begin, end))
             {
@@ -407,6 +414,10 @@ namespace ompl_certificates
         const ob::PlannerTerminationCondition &condition_;
         bool isOver_{false};
 
+        /** By how much a change must lower the cost at least. Known from the first change of the whole path on, which
+            is the first of all. */
+        double leastGain_{0.0};
+
         /** The cost of the whole path, if it is known: many changes are tried on it in a row. */
         std::optional<ob::Cost> whole_;
         TimedPaths paths_;
@@ -428,9 +439,14 @@ namespace ompl_certificates
         bool isSimpler = changing.paceAll();
         for (; attempts > 0 && !condition; --attempts)
             isSimpler = changing.tryOne() || isSimpler;
-        if (isSimpler)
-            path = withoutRepeats(changing.getPath(si_));
-        return isSimpler;
+        if (!isSimpler)
+            return false;
+        bool hasLeftOut = false;
+        og::PathGeometric simpler = withoutRepeats(changing.getPath(si_, hasLeftOut));
+        if (hasLeftOut && !simpler.check())
+            return false;
+        path = simpler;
+        return true;
     }
 
     bool TeamPathSimplifier::simplify(og::PathGeometric &path, const ob::PlannerTerminationCondition &condition)
@@ -441,7 +457,7 @@ namespace ompl_certificates
         {
             simplify(path, ATTEMPTS_PER_CORNER * path.getStateCount() * team_.getRobotCount(), condition);
             const ob::Cost before = std::exchange(cost, path.cost(objective_));
-            if (!isBetterBy(LEAST_PROGRESS, *objective_, cost, before))
+            if (!isBetterBy(LEAST_PROGRESS * std::abs(before.value()), *objective_, cost, before))
                 break;
         }
         return objective_->isCostBetterThan(cost, first);

@@ -31,7 +31,10 @@ namespace ompl_certificates
             const ob::State *whole = path.getState(i);
             const double step = i > 0 ? motionTime(*team.getStateSpace(), path.getState(i - 1), whole) : 0.0;
             if (i > 0 && !(step > 0.0))
+            {
+                hasLeftOut_ = true;
                 continue;
+            }
             duration_ += step;
             for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
             {
@@ -66,6 +69,9 @@ namespace ompl_certificates
         void interpolate(const ob::StateSpace &space, const TimedPaths::Knot &from, const TimedPaths::Knot &to,
                          double time, ob::State *state)
         {
+            // One that waits is where it is, without rounding: at its goal it has arrived.
+            if (areSame(space, from.state.get(), to.state.get()))
+                return space.copyState(state, to.state.get());
             space.interpolate(from.state.get(), to.state.get(), (time - from.time) / (to.time - from.time), state);
             wrapAngles(space, state);
         }

@@ -30,6 +30,13 @@ namespace ompl_certificates
             return duration_;
         }
 
+        /** \brief Whether the team's path has states that it reaches in no time. They are left out, so a motion may be
+            another one. */
+        bool hasLeftOut() const
+        {
+            return hasLeftOut_;
+        }
+
         /** \brief The knots of a robot, the first one at 0 and the last one at the end */
         const std::vector<Knot> &getKnots(unsigned int robot) const
         {
@@ -74,6 +81,7 @@ namespace ompl_certificates
         const Team &team_;
         std::vector<std::vector<Knot>> knots_;
         double duration_{0.0};
+        bool hasLeftOut_{false};
     };
 }
 

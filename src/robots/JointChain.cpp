@@ -194,7 +194,8 @@ namespace ompl_certificates
                 case Kind::REVOLUTE:
                 {
                     const Eigen::Vector3d axis = frame.axes.col(2), moving = axis.cross(point - frame.origin);
-                    const double distance = std::min(within ? step.reach : far, moving.norm() + 0.5 * way);
+                    const double distance =
+                        std::min(within ? step.reach : far, moving.norm() + 0.5 * way + (jump ? jump->linear : 0.0));
                     acceleration += size * (2.0 * way + size * distance);
                     turnAcceleration += size * angle;
                     velocity += change * moving;

@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <cctype>
 #include <charconv>
@@ -60,7 +61,9 @@ namespace ompl_certificates
         std::size_t axisOf(std::string_view word)
         {
             std::string name = boost::algorithm::to_lower_copy(std::string(word));
-            name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+            boost::algorithm::erase_all(name, "\"");
+            // Commas with blanks behind them, where only blanks count
+            boost::algorithm::trim_right_if(name, boost::algorithm::is_any_of(","));
             if (name.empty() || name[0] < 'x' || name[0] > 'z')
                 return 3;
             const std::string_view rest =
@@ -76,8 +79,8 @@ namespace ompl_certificates
             std::array<int, 3> found{};
             for (const std::string_view word : words)
             {
-                // A unit stands alone where blanks are between the columns.
-                if (isUnit(word))
+                // A unit behind a name stands alone where blanks are between the columns.
+                if (isUnit(word) && columns.named > 0)
                     continue;
                 if (const std::size_t axis = axisOf(word); axis < 3)
                 {
@@ -110,6 +113,8 @@ namespace ompl_certificates
         {
             constexpr const char *blanks = " \t";
             const bool hasComma = line.find(',') != std::string_view::npos;
+            if (!isComment(line))
+                line = line.substr(0, std::min(line.find(" #"), line.find("\t#")));
             if (isComment(line) && !line.empty())
             {
                 // Its sign may stand by itself.
@@ -129,7 +134,8 @@ namespace ompl_certificates
                 std::string field(line.substr(0, end));
                 boost::algorithm::trim_if(field, boost::algorithm::is_any_of(blanks));
                 std::replace_if(field.begin(), field.end(), boost::algorithm::is_any_of(blanks), '_');
-                text += (field.empty() ? "nan" : field) + ' ';
+                // What is between commas is no unit of another field.
+                text += (field.empty() ? "nan" : isUnit(field) ? '_' + field : field) + ' ';
                 line.remove_prefix(isLast ? line.size() : end + 1);
             }
         }
@@ -152,7 +158,7 @@ namespace ompl_certificates
     {
         std::vector<Eigen::Vector3d> points;
         Columns columns;
-        Words comment;  // The last one before the points
+        Words comment;  // The last one before the points that names x, y and z
         bool isFirst = true;
         std::uint64_t rows = 0, told = 0;  // Rows of points, and how many the first line tells of
         LineReader text(content);
@@ -160,7 +166,7 @@ namespace ompl_certificates
         {
             if (isComment(text.getLine()))
             {
-                if (const Words names = rows == 0 ? namesOf(text) : Words(); !names.empty())
+                if (const Words names = rows == 0 ? namesOf(text) : Words(); findColumns(names, nullptr))
                     comment = names;
                 continue;
             }

@@ -21,9 +21,19 @@ namespace ompl_certificates
             team_->clearReferences(state);
         }
 
+        /** \brief Near \e near, or the state within the bounds that is next to it: ways that are curves, such as cars',
+            may leave the bounds, where OMPL's samplers end the program. */
         void sampleUniformNear(ompl::base::State *state, const ompl::base::State *near, double distance) override
         {
-            CompoundStateSampler::sampleUniformNear(state, near, distance);
+            if (team_->satisfiesBounds(near))
+                CompoundStateSampler::sampleUniformNear(state, near, distance);
+            else
+            {
+                ompl::base::State *const center = team_->cloneState(near);
+                team_->enforceBounds(center);
+                CompoundStateSampler::sampleUniformNear(state, center, distance);
+                team_->freeState(center);
+            }
             team_->clearReferences(state);
         }
 

@@ -15,10 +15,10 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <limits>
-#include <numeric>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/util/Exception.h>
 #include <optional>
+#include <set>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -85,19 +85,13 @@ namespace
             \return what went wrong */
         std::optional<std::string> run(Random &random)
         {
-            std::vector<std::vector<unsigned int>> groups;
-            while (!(groups = listGroups()).empty())
+            while (std::any_of(ended_.begin(), ended_.end(),
+                               [this](std::size_t ended) { return ended < order_.getStageCount(); }))
             {
-                std::vector<unsigned int> group;
-                for (unsigned int tries = 0; group.empty() && tries < 200 * groups.size(); ++tries)
-                {
-                    group = groups[random.below(groups.size())];
-                    if (!std::all_of(group.begin(), group.end(), [this](unsigned int robot) { return mayMove(robot); }))
-                        group.clear();
-                }
-                if (group.empty())
+                const std::vector<std::vector<unsigned int>> groups = listGroups();
+                if (groups.empty())
                     return "nobody may go on";
-                move(group, random.chance(0.3) ? 1.0 : random.uniform(0.0, 1.0));
+                move(groups[random.below(groups.size())], random.chance(0.3) ? 1.0 : random.uniform(0.0, 1.0));
                 if (!planned_.checker->isValid(state_.get()))
                     return planned_.checker->describeCollision(state_.get());
             }
@@ -108,22 +102,12 @@ namespace
         /** Robots that have not arrived, together with those that drive the stage with them */
         std::vector<std::vector<unsigned int>> listGroups() const
         {
-            std::vector<unsigned int> leader(ended_.size());
-            std::iota(leader.begin(), leader.end(), 0U);
-            for (const PassingOrder::Meeting &meeting : order_.getMeetings())
-                if (heedsOrder_ && ended_[meeting.first] == meeting.stage && ended_[meeting.second] == meeting.stage)
-                    std::replace(leader.begin(), leader.end(), leader[meeting.second], leader[meeting.first]);
-            std::vector<std::vector<unsigned int>> groups;
+            std::set<std::vector<unsigned int>> groups;
             for (unsigned int robot = 0; robot < ended_.size(); ++robot)
-            {
-                std::vector<unsigned int> group;
-                for (unsigned int other = 0; other < ended_.size(); ++other)
-                    if (leader[other] == robot && ended_[other] < order_.getStageCount())
-                        group.push_back(other);
-                if (!group.empty())
-                    groups.push_back(group);
-            }
-            return groups;
+                if (ended_[robot] < order_.getStageCount() && !(heedsOrder_ && !mayMove(robot)))
+                    groups.insert(heedsOrder_ ? order_.getGroup(robot, ended_[robot])
+                                              : std::vector<unsigned int>{robot});
+            return {groups.begin(), groups.end()};
         }
 
         bool mayMove(unsigned int robot) const
@@ -263,6 +247,8 @@ TEST_F(CrossingDiscs, DriveTogetherWhereTheyPassClosely)
     EXPECT_FALSE(order.mayBegin(0, {1, 0}));
     EXPECT_FALSE(order.mayBegin(1, {0, 1}));
     EXPECT_TRUE(order.mayBegin(0, {1, 1}));
+    EXPECT_EQ(order.getGroup(1, 1), (std::vector<unsigned int>{0, 1}));
+    EXPECT_THROW(order.getGroup(2, 1), ompl::Exception);
     // In smaller stages it is four behind.
     const PassingOrder fine(path, planned_.checker, 0.05);
     EXPECT_TRUE(fine.getMeetings().empty());
@@ -289,6 +275,48 @@ TEST_F(CrossingDiscs, NeedAPathOfTheirOwn)
     const PassingOrder one(planned_.through({rows_[0]}), planned_.checker, 1.0);
     EXPECT_EQ(one.getStageCount(), 0U);
     EXPECT_FALSE(one.mayBegin(0, {0, 0}));
+}
+
+TEST(PassingOrders, CountMotionsThatTakeNoTime)
+{
+    // A long box that turns where turns count nothing, and a disc that passes beside it before, and drives on behind.
+    const RobotPtr bar = RigidRobot::inSE2("bar", Body::box(10.0, 0.5), cubeBounds(2, 30.0));
+    bar->getStateSpace()->as<ob::CompoundStateSpace>()->setSubspaceWeight(1, 0.0);
+    const Planned planned(teamOf({bar, RigidRobot::disc("disc", 0.3, cubeBounds(2, 30.0))}));
+    const og::PathGeometric path = planned.through({{0.0, 0.0, 0.0, -4.5, 1.0},
+                                                    {20.0, 0.0, 0.0, -4.5, 1.0},
+                                                    {20.0, 0.0, M_PI / 2.0, -4.5, 1.0},
+                                                    {20.0, 0.0, M_PI / 2.0, -4.5, 0.1}});
+    for (const double step : {10.0, 5.0, 1.0})
+    {
+        const PassingOrder order(path, planned.checker, step);
+        Random random(1);
+        for (unsigned int run = 0; run < 20; ++run)
+        {
+            const auto fault = Drive(planned, path, order, true).run(random);
+            EXPECT_FALSE(fault) << step << ": " << *fault;
+        }
+        std::vector<std::size_t> ended(2);
+        while (order.mayBegin(1, ended))
+            ++ended[1];
+        EXPECT_LT(ended[1], order.getStageCount()) << "the disc drives into the bar, which has not left";
+    }
+}
+
+TEST(PassingOrders, LetAllOfAGroupBegin)
+{
+    // Three discs behind each other with gaps of 0.2: the first and the last meet through the second. One is far off.
+    const auto disc = [](const char *name) { return RigidRobot::disc(name, 0.4, cubeBounds(2, 5.0)); };
+    const Planned planned(teamOf({disc("lead"), disc("middle"), disc("tail"), disc("other")}));
+    const PassingOrder order(planned.through({{1.0, 0.0, 0.0, 0.0, -1.0, 0.0, -1.0, 1.0},
+                                              {1.0, 0.0, 0.0, 0.0, -1.0, 0.0, -1.0, 4.0},
+                                              {4.0, 0.0, 3.0, 0.0, 2.0, 0.0, -1.0, 4.0}}),
+                             planned.checker, 1.0);
+    EXPECT_EQ(order.getGroup(0, 4), (std::vector<unsigned int>{0, 1, 2}));
+    EXPECT_EQ(order.getGroup(3, 4), std::vector<unsigned int>{3});
+    EXPECT_TRUE(order.mayBegin(0, {4, 4, 4, 4}));
+    for (const std::vector<std::size_t> &ended : std::vector<std::vector<std::size_t>>{{4, 4, 3, 4}, {4, 3, 4, 4}})
+        EXPECT_FALSE(order.mayBegin(0, ended));
 }
 
 TEST_P(PassingOrderTest, KeepsLateRobotsApart)

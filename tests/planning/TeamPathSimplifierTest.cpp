@@ -186,6 +186,44 @@ TEST_F(TeamPathSimplifierTest, ChecksEachNewMotion)
     EXPECT_GT(solved, scaled(15) / 2);
 }
 
+TEST_F(TeamPathSimplifierTest, TakesNoCurveOnTheOtherSideOfAnObstacle)
+{
+    // A car that turns to -pi first, which is pi, goes around the obstacle on the left. From there OMPL finds the curve
+    // on the right, which is as short.
+    const auto bounds = cubeBounds(2, 10.0);
+    const auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::inReedsShepp("car", Body::box(0.3, 0.15), 1.0, bounds));
+    team->addRobot(RigidRobot::disc("disc", 0.1, bounds));
+    const std::vector<PlacedBody> obstacles{{Body::disc(0.1), planarPose(-0.208303, 0.593739, 0.0)}};
+    const auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(obstacles, 2));
+    const auto si = setup->getSpaceInformation();
+    si->setup();
+    og::PathGeometric path(si);
+    ob::ScopedState<> state(team);
+    for (const std::vector<double> &row :
+         std::vector<std::vector<double>>{{0.0, 0.0, -M_PI, -8.0, 8.0},
+                                          {0.0, 0.0, std::nextafter(M_PI, 0.0), -8.0, 8.0},
+                                          {0.75, 0.0, 0.0, -8.0, 8.0},
+                                          {0.75, 0.0, 0.0, -6.0, 9.0},
+                                          {0.75, 0.0, 0.0, -4.0, 6.0},
+                                          {0.75, 0.0, 0.0, -2.0, 8.0},
+                                          {0.75, 0.0, 0.0, 0.0, 9.5},
+                                          {0.75, 0.0, 0.0, 2.0, 8.0}})
+    {
+        state = row;
+        path.append(state.get());
+    }
+    ASSERT_TRUE(path.check());
+    for (unsigned int seed = 1; seed <= scaled(100); ++seed)
+    {
+        ompl::RNG::setSeed(seed);
+        og::PathGeometric simplified = path;
+        TeamPathSimplifier simplifier(si, makeObjective("sum", si, state));
+        simplifier.simplify(simplified, 20, ob::plannerNonTerminatingCondition());
+        EXPECT_TRUE(simplified.check()) << "seed " << seed;
+    }
+}
+
 namespace
 {
     /** Refuses motions from a state that lead away from it at once, as if there were only one way out. */

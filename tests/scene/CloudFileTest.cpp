@@ -195,6 +195,11 @@ namespace ompl_certificates
             {"a.csv", "x [m], y [m], z[m], intensity\n1, 2, 3, 4\n-4.5, 5, 0.6, 4\n"},
             {"a.csv", "point id,x,y,z\n7,1,2,3\n8,-4.5,5,0.6\n"},
             {"a.csv", "label,x,y,z,name\ncar 7,1,2,3,a b\ncar 8,-4.5,5,0.6,\n"},
+            {"a.txt", "# t, x, y, z\n9 1 2 3\n9 -4.5 5 0.6\n"},
+            {"a.txt", "# t x y z\n# frame: map\n9 1 2 3\n9 -4.5 5 0.6\n"},
+            {"a.txt", "(id) x y z\n9 1 2 3\n9 -4.5 5 0.6\n"},
+            {"a.csv", "(id),x,[v],y,z\n9,1,8,2,3\n9,-4.5,8,5,0.6\n"},
+            {"a.csv", "1,2,3 # the first\n-4.5,5,0.6\t# \n"},
             {"a.csv", "xy,zoom,x,y,z\n7,6,1,2,3\n8,6,-4.5,5,0.6"}};
         for (const auto &[name, content] : files)
             EXPECT_EQ(loadCloud(folder.write(name, content)).points, expected) << name << ":\n" << content;

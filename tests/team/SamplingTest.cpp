@@ -44,6 +44,27 @@ TEST_P(TeamSampling, NearAStateStaysNearIt)
     EXPECT_GT(farthest, 0.0);
 }
 
+TEST_P(TeamSampling, NearAStateOutsideTheBoundsEndsWithinThem)
+{
+    // Cars' curves may leave the bounds. OMPL's own samplers end the program there.
+    const auto team = anyTeam(GetParam());
+    team->setup();
+    const auto sampler = team->allocStateSampler();
+    ob::ScopedState<> outside(team), state(team);
+    std::vector<double> reals;
+    sampler->sampleUniform(outside.get());
+    reals = outside.reals();
+    reals[0] = 1000.0;
+    outside = reals;
+    ASSERT_FALSE(team->satisfiesBounds(outside.get()));
+    for (int i = 0; i < 100; ++i)
+    {
+        sampler->sampleUniformNear(state.get(), outside.get(), 0.1);
+        EXPECT_TRUE(team->satisfiesBounds(state.get()));
+    }
+    EXPECT_EQ(outside.reals(), reals);
+}
+
 TEST_P(TeamSampling, ProjectsSoThatEveryRobotCounts)
 {
     const auto team = anyTeam(GetParam());

@@ -14,11 +14,14 @@ namespace ompl_certificates
 
         On a path all robots move by one clock. Real robots do not: one waits for a door, another slips. So the path is
         cut into stages in time, the same for all robots. Each robot drives its stages one after the other at its own
-        pace, and begins one only when some other robots have ended some of theirs. As long as all heed that, no two
-        robots touch, however late each of them is, and none waits forever.
+        pace, and begins one only when mayBegin() says so: when some other robots have ended some of theirs.
 
-        Where two robots move close to each other in the same stage, no order of stages keeps them apart: they must
-        drive that stage as the path does. Smaller stages leave less of it. */
+        Where two robots move close to each other in the same stage, no order of stages keeps them apart. They meet: the
+        robots of a getGroup() begin such a stage together, and drive it by one clock, as the path does. Smaller stages
+        leave fewer of these.
+
+        As long as all heed both, no two robots touch, however late each of them is, and none waits forever. A stage is
+        a part of the path: cars follow its curve, which need not be the shortest between two of its states. */
     class PassingOrder
     {
     public:
@@ -38,8 +41,8 @@ namespace ompl_certificates
             std::size_t otherStage;
         };
 
-        /** \brief Two robots that must drive a stage together, as the path does. They also wait for each other before
-            it. */
+        /** \brief Two robots that drive a stage together, by one clock, as the path does. They also wait for each other
+            before it. */
         struct Meeting
         {
             /** \brief One robot */
@@ -58,9 +61,9 @@ namespace ompl_certificates
             \param step how long a stage takes at most, in the unit of stateTimes(). Stages also end where motions do,
             so that many a stage is shorter.
             \throws ompl::Exception if \e step is not positive or leads to more than MOST_STAGES stages, if the path has
-            no states or is one of another space, or if its space does not move robots as their own spaces do; see
-            Team::interpolatesRobots(). Cost: 25 ms for thirty discs in 160 stages, a
-            third of a second for two arms that work close to each other. Memory: the poses of all bodies, eight times
+            no states, more than MOST_STAGES, or is one of another space, or if its space does not move robots as their own spaces do; see
+            Team::interpolatesRobots(). Cost: 25 ms for thirty discs in 160 stages, up
+            to some seconds for two arms that work close to each other. Memory: the poses of all bodies, eight times
             for each stage */
         PassingOrder(const ompl::geometric::PathGeometric &path,
                      const std::shared_ptr<const TeamValidityChecker> &checker, double step);
@@ -84,13 +87,19 @@ namespace ompl_certificates
             return waits_;
         }
 
-        /** \brief Which robots must drive which stages together, by stages */
+        /** \brief Which robots drive which stages together, by stages */
         const std::vector<Meeting> &getMeetings() const
         {
             return meetings_;
         }
 
-        /** \brief Whether a robot may begin its next stage now. False if it has ended all.
+        /** \brief The robots that drive \e stage together with a robot, and itself, by their indices: those that it
+            meets there, those that these meet, and so on
+            \throws ompl::Exception if there is no such robot */
+        std::vector<unsigned int> getGroup(unsigned int robot, std::size_t stage) const;
+
+        /** \brief Whether a robot, and all others of its getGroup(), may begin its next stage now. False if it has ended
+            all.
             \param ended how many stages each robot has ended
             \throws ompl::Exception if there is no such robot, or not one number for each */
         bool mayBegin(unsigned int robot, const std::vector<std::size_t> &ended) const;
