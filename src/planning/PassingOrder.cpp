@@ -16,8 +16,6 @@
 
 namespace ompl_certificates
 {
-    namespace ob = ompl::base;
-
     namespace
     {
         /** How many stages of another robot must be ended before each stage begins: no fewer than for those before */
