@@ -19,8 +19,8 @@ namespace ompl_certificates
         return (p - along / length * segment).squaredNorm();
     }
 
-    /** \brief Whether a triangle is so thin that rounding decides on which side of its edges a point is: its corners are on
-        one line. Then its edges are all of it.
+    /** \brief Whether a triangle is so thin that rounding decides on which side of its edges a point is: its corners are
+        on one line. Then its edges are all of it.
         \param squaredArea the squared length of the cross product of two of its edges */
     inline bool isThin(double squaredArea, const Eigen::Vector3d &ab, const Eigen::Vector3d &bc,
                        const Eigen::Vector3d &ca)

@@ -17,7 +17,8 @@ namespace ompl_certificates
 
     namespace
     {
-        /** A change must lower the cost by that part of the whole path's: many tiny gains would fill the path with corners. */
+        /** A change must lower the cost by that part of the whole path's: many tiny gains would fill the path with
+            corners. */
         constexpr double LEAST_GAIN = 1e-5;
 
         /** A path is good enough when that many attempts for each corner lower its cost by less than that part. */

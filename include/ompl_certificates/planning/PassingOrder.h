@@ -61,10 +61,9 @@ namespace ompl_certificates
             \param step how long a stage takes at most, in the unit of stateTimes(). Stages also end where motions do,
             so that many a stage is shorter.
             \throws ompl::Exception if \e step is not positive or leads to more than MOST_STAGES stages, if the path has
-            no states, more than MOST_STAGES, or is one of another space, or if its space does not move robots as their own spaces do; see
-            Team::interpolatesRobots(). Cost: 25 ms for thirty discs in 160 stages, up
-            to some seconds for two arms that work close to each other. Memory: the poses of all bodies, eight times
-            for each stage */
+            no states, more than MOST_STAGES, or is one of another space, or if its space does not move robots as their
+            own spaces do; see Team::interpolatesRobots(). Cost: 25 ms for thirty discs in 160 stages, up to some seconds
+            for two arms that work close to each other. Memory: the poses of all bodies, eight times for each stage */
         PassingOrder(const ompl::geometric::PathGeometric &path,
                      const std::shared_ptr<const TeamValidityChecker> &checker, double step);
 
@@ -98,8 +97,8 @@ namespace ompl_certificates
             \throws ompl::Exception if there is no such robot */
         std::vector<unsigned int> getGroup(unsigned int robot, std::size_t stage) const;
 
-        /** \brief Whether a robot, and all others of its getGroup(), may begin its next stage now. False if it has ended
-            all.
+        /** \brief Whether a robot, and all others of its getGroup(), may begin its next stage now. False if it has
+            ended all.
             \param ended how many stages each robot has ended
             \throws ompl::Exception if there is no such robot, or not one number for each */
         bool mayBegin(unsigned int robot, const std::vector<std::size_t> &ended) const;
