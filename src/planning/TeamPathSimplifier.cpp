@@ -384,14 +384,13 @@ namespace ompl_certificates
         std::optional<ob::Cost> cost(double begin, double end)
         {
             ob::Cost sum = objective_.identityCost();
-            std::size_t unseen = 0;
             const bool isKnown = visitMotions(begin, end,
                                               [&](const ob::State *from, const ob::State *to)
                                               {
-                                                  unseen += team_.getRobotCount();
-                                                  if (unseen >= MOTIONS_BETWEEN_LOOKS)
+                                                  unseen_ += team_.getRobotCount();
+                                                  if (unseen_ >= MOTIONS_BETWEEN_LOOKS)
                                                   {
-                                                      unseen = 0;
+                                                      unseen_ = 0;
                                                       if (isOver())
                                                           return false;
                                                   }
@@ -414,6 +413,9 @@ namespace ompl_certificates
         ompl::RNG &random_;
         const ob::PlannerTerminationCondition &condition_;
         bool isOver_{false};
+
+        /** Motions of robots that were measured since the last look at the condition */
+        std::size_t unseen_{0};
 
         /** By how much a change must lower the cost at least. Known from the first change of the whole path on, which
             is the first of all. */

@@ -421,7 +421,7 @@ TEST(SelfCollisions, OfStatesBeyondTheirBoundsTeachTheCellsNothing)
 {
     using Answer = JointCells::Answer;
     unsigned int beyond = 0, within = 0;
-    for (unsigned int seed = 0; seed < scaled(10); ++seed)
+    for (unsigned int seed = 0; seed < 10; ++seed)
     {
         const auto arm = linksOnARail(seed);
         const auto team = teamOf({arm});
