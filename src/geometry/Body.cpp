@@ -68,6 +68,44 @@ namespace ompl_certificates
             return Body({{std::move(shape), Pose::Identity()}});
         }
 
+        /** Where the origin of a shape that has these bounds is to be: where it is, or in their middle if it is far
+            from there. The exact checks' tolerances grow with the distance of vertices from the origin. */
+        Eigen::Vector3d originFor(const Eigen::AlignedBox3d &bounds, unsigned int dimension)
+        {
+            Eigen::Vector3d middle = bounds.center();
+            // A planar mesh keeps its z.
+            if (dimension == 2)
+                middle.z() = 0.0;
+            constexpr double far = 5.0;
+            return middle.norm() > far * bounds.diagonal().norm() ? middle : Eigen::Vector3d::Zero();
+        }
+
+        std::vector<Eigen::Vector3d> moved(std::vector<Eigen::Vector3d> points, const Eigen::Vector3d &by)
+        {
+            for (Eigen::Vector3d &point : points)
+                point += by;
+            return points;
+        }
+
+        Body hullOf(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
+        {
+            Eigen::AlignedBox3d bounds;
+            for (const Eigen::Vector3d &point : points)
+                bounds.extend(point);
+            const Eigen::Vector3d origin = points.empty() ? Eigen::Vector3d::Zero() : originFor(bounds, dimension);
+            return Body({{Shape::polytope(dimension, moved(points, -origin)), poseAt(origin)}});
+        }
+
+        Body meshOf(TriangleMeshPtr mesh, unsigned int dimension)
+        {
+            const Shape shape = Shape::mesh(dimension, mesh);
+            const Eigen::Vector3d origin = originFor(mesh->getBounds(), dimension);
+            if (origin.isZero(0.0))
+                return single(shape);
+            mesh = std::make_shared<TriangleMesh>(moved(mesh->getVertices(), -origin), mesh->getTriangles());
+            return Body({{Shape::mesh(dimension, std::move(mesh)), poseAt(origin)}});
+        }
+
         std::vector<Eigen::Vector3d> spatial(const std::vector<Eigen::Vector2d> &points)
         {
             std::vector<Eigen::Vector3d> flat;
@@ -94,12 +132,11 @@ namespace ompl_certificates
         {
             // So much may be lost of points on an edge or a face where they are written down.
             constexpr double rounding = 1e-6;
-            const Shape &shape = hull.getParts().front().shape;
-            const double deepest = rounding * shape.getBounds().diagonal().norm();
+            const double deepest = rounding * hull.getBounds().diagonal().norm();
             for (std::size_t i = 0; i < points.size(); ++i)
-                if (shape.signedDistance(points[i]) < -deepest)
+                if (hull.signedDistance(points[i]) < -deepest)
                     throw ompl::Exception("Point " + std::to_string(i) + " of " + std::to_string(points.size()) +
-                                          " (counted from 0), " + coordinatesOf(points[i], shape.getDimension()) +
+                                          " (counted from 0), " + coordinatesOf(points[i], hull.getDimension()) +
                                           ", lies inside the convex hull of the others: make a body that is not convex "
                                           "of several shapes, or take their convex hull");
         }
@@ -159,22 +196,22 @@ namespace ompl_certificates
 
     Body Body::convexHull(const std::vector<Eigen::Vector2d> &points)
     {
-        return single(Shape::polytope(2, spatial(points)));
+        return hullOf(spatial(points), 2);
     }
 
     Body Body::convexHull(const std::vector<Eigen::Vector3d> &points)
     {
-        return single(Shape::polytope(3, points));
+        return hullOf(points, 3);
     }
 
     Body Body::mesh(TriangleMeshPtr mesh)
     {
-        return single(Shape::mesh(3, std::move(mesh)));
+        return meshOf(std::move(mesh), 3);
     }
 
     Body Body::planarMesh(TriangleMeshPtr mesh)
     {
-        return single(Shape::mesh(2, std::move(mesh)));
+        return meshOf(std::move(mesh), 2);
     }
 
     Body Body::join(const std::vector<PlacedBody> &bodies)

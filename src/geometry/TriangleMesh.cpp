@@ -31,7 +31,8 @@ namespace ompl_certificates
         }
     }
 
-    TriangleMesh::TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles)
+    TriangleMesh::TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles,
+                               const std::string &name)
       : vertices_(std::move(vertices)), triangles_(std::move(triangles))
     {
         if (triangles_.empty())
@@ -70,18 +71,18 @@ namespace ompl_certificates
                                   " triangles of a mesh has an area");
         if (small > 0)
             OMPL_WARN(
-                "A mesh is %g in size, and up to %g away from its origin, so %zu of its %zu triangles are too small "
+                "%s is %g in size, and up to %g away from its origin, so %zu of its %zu triangles are too small "
                 "to be checked. Give what is so large a mesh of its own",
-                bounds_.diagonal().norm(), farthest, small, triangles_.size());
+                name.c_str(), bounds_.diagonal().norm(), farthest, small, triangles_.size());
         const double tolerance = 1e-5 * bounds_.diagonal().norm() + 1e-6 * farthest;
         const auto wires =
             std::count_if(thin.begin(), thin.end(),
                           [&](std::size_t triangle) { return isWire(getTree(), getCorners(triangle), tolerance); });
         if (wires > 0)
             OMPL_WARN(
-                "%zu of the %zu triangles of a mesh are wires without an area, which are not checked: give them a "
+                "%zu of the %zu triangles of %s are wires without an area, which are not checked: give them a "
                 "thickness",
-                static_cast<std::size_t>(wires), triangles_.size());
+                static_cast<std::size_t>(wires), triangles_.size(), name.c_str());
     }
 
     TriangleMesh::~TriangleMesh() = default;

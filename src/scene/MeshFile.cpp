@@ -56,7 +56,7 @@ namespace ompl_certificates
             mesh.keepsAxes = keepsAxes;
             read(content, mesh);
             mean_ = mesh.getMean();
-            mesh_ = mesh.takeMesh();
+            mesh_ = mesh.takeMesh(file);
         }
         catch (const std::exception &exception)
         {
@@ -69,7 +69,7 @@ namespace ompl_certificates
         std::vector<Eigen::Vector3d> vertices = mesh_->getVertices();
         for (Eigen::Vector3d &vertex : vertices)
             vertex = transform * vertex;
-        return std::make_shared<TriangleMesh>(std::move(vertices), mesh_->getTriangles());
+        return std::make_shared<TriangleMesh>(std::move(vertices), mesh_->getTriangles(), name_);
     }
 
     Body MeshFile::makeObstacle(unsigned int dimension) const

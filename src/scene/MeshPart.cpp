@@ -208,10 +208,10 @@ namespace ompl_certificates
         return entry->second;
     }
 
-    TriangleMeshPtr MeshCollector::takeMesh()
+    TriangleMeshPtr MeshCollector::takeMesh(const std::string &name)
     {
         if (triangles_.empty())
             throw std::runtime_error("it has no triangles");
-        return std::make_shared<TriangleMesh>(std::move(vertices_), std::move(triangles_));
+        return std::make_shared<TriangleMesh>(std::move(vertices_), std::move(triangles_), name);
     }
 }

@@ -81,8 +81,9 @@ namespace ompl_certificates
         void add(MeshPart &part, const Eigen::Affine3d &transform = Eigen::Affine3d::Identity());
 
         /** \brief All triangles; equal vertices are one. Once, at the end.
+            \param name what warnings call the mesh
             \throws std::runtime_error if there are none */
-        TriangleMeshPtr takeMesh();
+        TriangleMeshPtr takeMesh(const std::string &name);
 
         /** \brief The mean of the distinct vertices of all parts */
         Eigen::Vector3d getMean() const

@@ -39,7 +39,12 @@ namespace ompl_certificates
                 if (std::find(corners.begin(), corners.end(), points[i]) == corners.end())
                     items[i].fail(
                         "is not a corner of the convex hull; make a body that is not convex of several shapes");
-            return Body({{shape, Pose::Identity()}});
+            if (dimension == 3)
+                return Body::convexHull(points);
+            std::vector<Eigen::Vector2d> outline;
+            for (const Eigen::Vector3d &point : points)
+                outline.emplace_back(point.head<2>());
+            return Body::convexHull(outline);
         }
 
         /** What a shape is for. The center of an obstacle and of a zone must be given. */

@@ -34,6 +34,15 @@ namespace ompl_certificates
                                certificates.end());
             return certificates;
         }
+
+        /** How many of \e certificates are not among \e kept */
+        std::size_t countMissing(const std::vector<Certificate> &certificates, const std::vector<Certificate> &kept)
+        {
+            const std::unordered_set<Certificate, Hash> known(kept.begin(), kept.end());
+            return static_cast<std::size_t>(std::count_if(certificates.begin(), certificates.end(),
+                                                          [&known](const Certificate &certificate)
+                                                          { return known.count(certificate) == 0; }));
+        }
     }
 
     void saveCertificates(const TeamValidityChecker &checker, const std::string &file)
@@ -61,8 +70,9 @@ namespace ompl_certificates
             throw ompl::Exception(file, exception.what());
         }
         if (checker.getKeptCertificates() >= checker.getMaxCertificates())
-            OMPL_WARN("%s: some of its %zu certificates may not be kept, since the checker has %zu, as many as it may",
-                      file.c_str(), certificates.size(), checker.getKeptCertificates());
+            if (const std::size_t lost = countMissing(certificates, checker.getCertificates()); lost > 0)
+                OMPL_WARN("%s: %zu of its %zu certificates were not kept, since the checker has as many as it may",
+                          file.c_str(), lost, certificates.size());
         return certificates.size();
     }
 }

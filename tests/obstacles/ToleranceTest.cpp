@@ -172,3 +172,54 @@ TEST(Tolerance, GrowsWithTheDistanceFromTheOriginWithMeshesAndWithTheirHeight)
     };
     EXPECT_GE(besideADisc(100.0) - besideADisc(1.0), exactCheckTolerance(100.0) - exactCheckTolerance(1.0));
 }
+
+// Else nothing would be certified near a house of 10 m that is given in a map's coordinates, and continuous mode would
+// refuse to pass it.
+TEST(Tolerance, DoesNotGrowWithAMapsCoordinates)
+{
+    const Eigen::Vector3d middle(5e5, 5.4e6, 300.0);
+    const auto bodiesAt = [](const Eigen::Vector3d &at)
+    {
+        std::vector<Eigen::Vector2d> outline;
+        std::vector<Eigen::Vector3d> corners;
+        for (const Eigen::Vector2d &corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(8, 0), Eigen::Vector2d(2, 6)})
+        {
+            outline.emplace_back(at.head<2>() + corner);
+            for (const double z : {0.0, 4.0})
+                corners.emplace_back(outline.back().x(), outline.back().y(), at.z() + z);
+        }
+        const TriangleMeshPtr box = boxMesh({8.0, 6.0, 4.0});
+        std::vector<Eigen::Vector3d> vertices = box->getVertices();
+        for (Eigen::Vector3d &vertex : vertices)
+            vertex += at;
+        const auto mesh = std::make_shared<TriangleMesh>(vertices, box->getTriangles());
+        // A planar mesh keeps its z.
+        for (Eigen::Vector3d &vertex : vertices)
+            vertex.z() -= at.z();
+        const auto level = std::make_shared<TriangleMesh>(vertices, box->getTriangles());
+        return std::vector<Body>{Body::convexPolygon(outline),  Body::convexHull(outline), Body::planarMesh(level),
+                                 Body::convexPolytope(corners), Body::convexHull(corners), Body::mesh(mesh)};
+    };
+    const std::vector<Body> near = bodiesAt(Eigen::Vector3d::Zero()), far = bodiesAt(middle);
+    Random random(17);
+    for (std::size_t i = 0; i < near.size(); ++i)
+    {
+        const unsigned int dimension = near[i].getDimension();
+        const FclObstacles here({{near[i]}}, dimension), there({{far[i]}}, dimension);
+        // Three times, since a shape at its corner is as large as its diagonal, and more for the map's rounding
+        EXPECT_LE(there.getTolerance(), 3.0 * here.getTolerance() + 1e-13 * middle.norm()) << i;
+        const Body robot = dimension == 2 ? Body::disc(1.0) : Body::sphere(1.0);
+        for (int state = 0; state < 200; ++state)
+        {
+            const Eigen::Vector3d point = random.point(dimension, 12.0);
+            const Eigen::Vector3d same = point + (dimension == 2 ? Eigen::Vector3d(middle.x(), middle.y(), 0) : middle);
+            const double clearance = here.clearance(point);
+            EXPECT_NEAR(there.clearance(same), clearance, 1e-8) << i;
+            EXPECT_NEAR(far[i].signedDistance(same), near[i].signedDistance(point), 1e-8) << i;
+            if (std::abs(std::abs(clearance) - 1.0) > 1e-3)
+            {
+                EXPECT_EQ(there.collides(robot, poseAt(same)), here.collides(robot, poseAt(point))) << i;
+            }
+        }
+    }
+}

@@ -21,7 +21,10 @@ namespace ompl_certificates
 
         A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
         factories throw ompl::Exception for sizes that are not positive and finite, unless 0 is allowed. Lengths are in
-        the scene's unit. */
+        the scene's unit.
+
+        Points and meshes may have any coordinates: a shape that is small beside its distance from the origin gets a
+        frame about its middle, and a pose. FCL's tolerance would grow with that distance. */
     class Body
     {
     public:

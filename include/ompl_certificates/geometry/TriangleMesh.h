@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace ompl_certificates
@@ -29,9 +30,11 @@ namespace ompl_certificates
         using Triangle = std::array<std::uint32_t, 3>;
 
         /** \brief A mesh of the given triangles
+            \param name what warnings call it, such as the name of a file
             \throws ompl::Exception if there is no triangle, if all are degenerate, if an index is out of range, or if a
             coordinate is not finite or larger than 10^15 */
-        TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles);
+        TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles,
+                     const std::string &name = "a mesh");
         ~TriangleMesh();
 
         /** \brief The vertices, in the given order */

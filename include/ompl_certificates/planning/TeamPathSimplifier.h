@@ -40,8 +40,6 @@ namespace ompl_certificates
         bool simplify(ompl::geometric::PathGeometric &path, const ompl::base::PlannerTerminationCondition &condition);
 
     private:
-        class ChangingPath;
-
         const ompl::base::SpaceInformationPtr si_;
         const ompl::base::OptimizationObjectivePtr objective_;
         const Team team_;
