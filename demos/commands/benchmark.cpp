@@ -283,14 +283,16 @@ namespace
         const auto logs = logsOf(options);
         std::vector<std::string> inputs = options.scenes;
         inputs.insert(inputs.end(), {options.moveIt.request, options.moveIt.urdf, options.moveIt.srdf});
-        demos::prepareOutputs(logs, inputs);
         std::vector<Task> tasks;
         for (const std::string &file : options.scenes)
         {
             tasks.push_back(readTask(options, file));
             // What cannot be planned for shows here, before hours have passed.
             demos::TeamBenchmark(tasks.back().scene, tasks.back().planners, methods, settings);
+            const std::vector<std::string> &files = tasks.back().scene.getFiles();
+            inputs.insert(inputs.end(), files.begin(), files.end());
         }
+        demos::prepareOutputs(logs, inputs);
 
         demos::catchInterrupts();
         demos::Outputs outputs;

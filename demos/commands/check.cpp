@@ -132,8 +132,11 @@ namespace
             std::printf("  not free      %s\n", scene.describeCollision(team, proof.collision->get()).c_str());
         if (count == 0)
             return false;
-        std::printf("  not proved    %zu of %zu %s, the first is number %zu", proof.unproved.size(), count, motions,
-                    proof.unproved.front());
+        // Those that were not looked at are the last ones, and not proved, too.
+        const std::size_t failed = proof.unproved.size() - proof.unseen;
+        std::printf("  not proved    %zu of %zu %s", failed, count, motions);
+        if (failed > 0)
+            std::printf(", the first is number %zu", proof.unproved.front());
         if (proof.unseen > 0)
             std::printf("; %zu were not looked at before the interrupt", proof.unseen);
         else if (!proof.collision)

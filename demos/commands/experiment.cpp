@@ -253,7 +253,7 @@ namespace
                 progress.expect(trial);
             }
             else
-                progress.countDone(trial, result.value("wall_seconds", 0.0));
+                progress.countDone(trial, result["wall_seconds"].get<double>());
         }
         demos::catchInterrupts();
         TrialProcess process;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -111,6 +112,8 @@ namespace demos
                                   throw CLI::Success();
                               })
             ->group("");
+        // Whoever reads the output may stop reading. That ends with an error, once all files are written.
+        std::signal(SIGPIPE, SIG_IGN);
         const auto parseAndWork = [&]
         {
             try

@@ -1,6 +1,7 @@
 #include "common/Completion.h"
 
 #include "common/CommandLine.h"
+#include "common/PlannerFactory.h"
 
 #include "ompl_certificates/planning/Planners.h"
 
@@ -10,13 +11,19 @@ namespace demos
 {
     namespace
     {
-        /** The words that an option takes, parted by spaces: those that oneOf() shows in braces, and planners */
+        /** The words that an option takes, parted by spaces: those that oneOf() shows in braces, planners and methods */
         std::string wordsOf(const CLI::Option &option)
         {
             std::string words;
-            if (option.check_lname("planner"))
-                for (const std::string &name : ompl_certificates::plannerNames())
+            const auto add = [&words](const std::vector<std::string> &names)
+            {
+                for (const std::string &name : names)
                     words += (words.empty() ? "" : " ") + name;
+            };
+            if (option.check_lname("planner") || option.check_lname("planners"))
+                add(ompl_certificates::plannerNames());
+            if (option.check_lname("methods"))
+                add(methodNames());
             const std::string type = option.get_type_name();
             const std::size_t begin = type.find('{'), end = type.find('}');
             if (words.empty() && begin != std::string::npos && end != std::string::npos)
@@ -39,11 +46,13 @@ namespace demos
                 }
             return name +
                    "()\n{\n"
-                   "    local word=${COMP_WORDS[COMP_CWORD]} words=''\n"
+                   "    local word=${COMP_WORDS[COMP_CWORD]} words='' before=''\n"
+                   // Of a list, the last item
+                   "    [[ $word == *,* ]] && before=${word%,*},\n"
                    "    case ${COMP_WORDS[COMP_CWORD - 1]} in\n" +
                    cases + "        *) [[ $word == -* ]] && words='" + options +
                    "' ;;\n    esac\n"
-                   "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+                   "    mapfile -t COMPREPLY < <(compgen -P \"$before\" -W \"$words\" -- \"${word##*,}\")\n"
                    "}\n";
         }
 

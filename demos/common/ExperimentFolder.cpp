@@ -123,8 +123,9 @@ namespace demos
         if (!fs::exists(file))
             return nullptr;
         const Json json = Json::parse(readFile(file), nullptr, false);
-        if (json.is_object() && json.value("grid", "") == grid_.hash && json.value("trial", "") == trial.getName() &&
-            json.contains("records"))
+        if (json.is_object() && json.contains("grid") && json["grid"] == grid_.hash && json.contains("trial") &&
+            json["trial"] == trial.getName() && json.contains("records") && json.contains("wall_seconds") &&
+            json["wall_seconds"].is_number())
             return json;
         damaged = file;
         return nullptr;

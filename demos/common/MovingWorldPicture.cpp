@@ -87,7 +87,7 @@ namespace demos
     std::string MovingWorldPicture::drawPaths(double seconds) const
     {
         std::string svg;
-        const double count = static_cast<double>(frames_.size()) - 1.0;
+        const double count = std::max(1.0, static_cast<double>(frames_.size()) - 1.0);
         for (std::size_t i = 0; i < paths_.size(); ++i)
         {
             const double begin = static_cast<double>(paths_[i].first) / count,
@@ -122,7 +122,8 @@ namespace demos
     {
         const double width = PIXELS_PER_METER * (length_ + 2.0 * MARGIN),
                      height = PIXELS_PER_METER * (width_ + 2.0 * MARGIN),
-                     duration = seconds * (static_cast<double>(frames_.size()) - 1.0);
+                     // Of one frame nothing moves.
+            duration = seconds * std::max(1.0, static_cast<double>(frames_.size()) - 1.0);
         std::string svg =
             "<svg xmlns='http://www.w3.org/2000/svg' width='" + number(width) + "' height='" + number(height) +
             "' viewBox='0 0 " + number(width) + " " + number(height) +
@@ -131,7 +132,7 @@ namespace demos
         svg += "<g transform='translate(" + number(PIXELS_PER_METER * MARGIN) + "," +
                number(PIXELS_PER_METER * (width_ + MARGIN)) + ") scale(" + number(PIXELS_PER_METER) + ",-" +
                number(PIXELS_PER_METER) + ")'>\n<g fill='#555'>\n" + drawFixtures() + "</g>\n";
-        if (frames_.size() > 1)
+        if (!frames_.empty())
         {
             svg += "<g fill='none' stroke-width='0.06' stroke-opacity='0.6'>\n" + drawPaths(duration) + "</g>\n";
             svg += "<g fill='#bbb' stroke='#666' stroke-width='0.03'>\n";

@@ -1,5 +1,6 @@
 #include "ViewAxes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -22,17 +23,21 @@ namespace ompl_certificates
             return 10.0 * power;
         }
 
-        std::string numberOf(double value)
+        /** A multiple of \e step, with the digits that tell it from its neighbors */
+        std::string numberOf(double value, double step)
         {
+            constexpr int least = 6, most = 17;
+            const double apart = std::ceil(std::log10(std::max(1.0, std::abs(value) / step)) - 1e-9);
+            const int digits = std::clamp(static_cast<int>(apart) + 1, least, most);
             char text[32];
             return std::string(text,
-                               std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr);
+                               std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr);
         }
 
-        /** The points of an axis that have ticks: multiples of a round number */
-        std::vector<double> ticksOf(double low, double high, double scale)
+        /** The points of an axis that have ticks: multiples of \e step */
+        std::vector<double> ticksOf(double low, double high, double step)
         {
-            const double step = roundStep(TICK_DISTANCE / scale), first = std::ceil(low / step - 1e-9);
+            const double first = std::ceil(low / step - 1e-9);
             std::vector<double> ticks;
             // Far from 0 some multiples are the same number.
             const auto most = static_cast<int>((high - low) / step) + 2;
@@ -64,10 +69,11 @@ namespace ompl_certificates
             const auto write = [&](const Eigen::Vector2d &position, double distance, const std::string &text)
             { svg.text(position + distance * outwards + Eigen::Vector2d(0.0, 4.0), text, style); };
             std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
-            for (const double tick : ticksOf(bounds.low[index], bounds.high[index], scale))
+            const double step = roundStep(TICK_DISTANCE / scale);
+            for (const double tick : ticksOf(bounds.low[index], bounds.high[index], step))
             {
                 lines.emplace_back(at(tick), at(tick) + 4.0 * outwards);
-                write(at(tick), outwards.y() > 0.5 ? 13.0 : 7.0, numberOf(tick));
+                write(at(tick), outwards.y() > 0.5 ? 13.0 : 7.0, numberOf(tick, step));
             }
             svg.segments(lines, "stroke='#555'");
             // Beside the numbers, where they leave room
