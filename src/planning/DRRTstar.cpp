@@ -1,8 +1,7 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 
-#include "LazyConstraintSearch.h"
+#include "DRRTstarRound.h"
 #include "LimitedRRTConnect.h"
-#include "PrioritizedSearch.h"
 #include "ProductTree.h"
 #include "RoadmapPathCheck.h"
 #include "TeamGoals.h"
@@ -24,38 +23,13 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How many orders of the robots each round tries */
-        constexpr unsigned int ORDERS = 20;
-
-        /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
-            shorten each robot's way, steps of the search in a crowd for each robot, and for all starts and goals. Each
-            later round does twice as much. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 50, CROWD_STEPS = 40;
+        /** How often the first round tries to shorten each robot's way. Each later round does so twice as often. */
+        constexpr unsigned int SMOOTHING_ATTEMPTS = 50;
 
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
         constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
 
-        /** A path by LazyConstraintSearch. The last robots to arrive are the hardest for it. Among few that move,
-            priorities often succeed. */
-        std::optional<TeamRoadmaps::Path> findInCrowd(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
-                                                      const ProductTree::Goal &goal, std::uint64_t steps,
-                                                      const ob::PlannerTerminationCondition &condition)
-        {
-            LazyConstraintSearch search(roadmaps, start, goal.configuration);
-            if (auto path = search.search(steps, condition))
-                return path;
-            if (condition)
-                return std::nullopt;
-            TeamRoadmaps::Path path = search.getNearest();
-            const TeamRoadmaps::Configuration last = path.back();
-            const auto rest =
-                PrioritizedSearch(roadmaps, last, goal.configuration, goal.distances).search(ORDERS, condition);
-            if (!rest)
-                return std::nullopt;
-            path.insert(path.end(), rest->begin() + 1, rest->end());
-            return path;
-        }
     }
 
     DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si)
@@ -116,15 +90,11 @@ namespace ompl_certificates
         best_.reset();
         isBestOptimal_ = false;
         stuckRobot_.clear();
+        round_.reset();
         rounds_ = 0;
         iterations_ = 0;
         vertices_ = 0;
         bestCost_ = objective_ ? objective_->infiniteCost().value() : std::nan("");
-    }
-
-    std::uint64_t DRRTstar::effort(unsigned int first) const
-    {
-        return static_cast<std::uint64_t>(first) << std::min(rounds_, 30U);
     }
 
     void DRRTstar::planTogether(const ob::PlannerTerminationCondition &condition)
@@ -140,103 +110,6 @@ namespace ompl_certificates
             report(*path);
             shorten(*path, condition);
         }
-    }
-
-    void DRRTstar::growRoadmaps(const ob::PlannerTerminationCondition &condition)
-    {
-        // The round before the first growth counts, too.
-        roadmaps_->grow(effort(roadmapSize_) / 2, maxRoadmapSize_, condition);
-        std::uint64_t vertices = 0;
-        for (const auto &roadmap : roadmaps_->getRoadmaps())
-            vertices += roadmap->size();
-        vertices_ = vertices;
-    }
-
-    bool DRRTstar::isAtLimit() const
-    {
-        return std::all_of(roadmaps_->getRoadmaps().begin(), roadmaps_->getRoadmaps().end(),
-                           [this](const auto &roadmap) { return roadmap->size() >= maxRoadmapSize_; });
-    }
-
-    bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
-    {
-        const std::vector<Configuration> chosen =
-            goals_->choose(*pdef_->getGoal(), starts_, effort(ROBOT_ITERATIONS), condition);
-        if (condition)
-            return false;
-        const auto stuck = goals_->getStuckRobot();
-        stuckRobot_ = stuck ? checker_->getTeam().getRobot(*stuck).getName() : std::string();
-        if (chosen.empty())
-            return false;
-        std::vector<ProductTree::Goal> goals;
-        goals.reserve(chosen.size());
-        for (const Configuration &goal : chosen)
-            goals.push_back({goal, {}});
-        for (ProductTree::Goal &goal : goals)
-            for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
-            {
-                if (condition)
-                    return false;
-                goal.distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]));
-            }
-        tree_->setGoals(std::move(goals));
-        return true;
-    }
-
-    void DRRTstar::searchByPriorities(const ob::PlannerTerminationCondition &condition)
-    {
-        for (const ProductTree::Goal &goal : tree_->getGoals())
-            for (const Configuration &start : starts_)
-                while (auto path = PrioritizedSearch(*roadmaps_, start, goal.configuration, goal.distances)
-                                       .search(ORDERS, condition))
-                    if (check_->confirm(*path))
-                    {
-                        tree_->insert(*path);
-                        take(*path, condition);
-                        return;
-                    }
-    }
-
-    void DRRTstar::searchInCrowd(const ob::PlannerTerminationCondition &condition)
-    {
-        const std::uint64_t steps =
-            effort(CROWD_STEPS) * roadmaps_->getRobotCount() / (tree_->getGoals().size() * starts_.size()) + 1;
-        for (const ProductTree::Goal &goal : tree_->getGoals())
-            for (const Configuration &start : starts_)
-            {
-                if (condition)
-                    return;
-                Path path{start};
-                while (const auto rest = findInCrowd(*roadmaps_, path.back(), goal, steps, condition))
-                {
-                    path.insert(path.end(), rest->begin() + 1, rest->end());
-                    if (check_->confirm(path))
-                    {
-                        tree_->insert(path);
-                        take(path, condition);
-                        return;
-                    }
-                }
-            }
-    }
-
-    void DRRTstar::searchTree(const ob::PlannerTerminationCondition &condition)
-    {
-        const std::uint64_t most = effort(TREE_ITERATIONS);
-        std::uint64_t left = most;
-        while (tree_->grow(left, treeCost_, condition))
-        {
-            Path path = tree_->getPath();
-            if (!check_->confirm(path))
-            {
-                if (condition)
-                    break;
-                continue;
-            }
-            treeCost_ = tree_->getCost();
-            take(path, condition);
-        }
-        iterations_ += most - left;
     }
 
     void DRRTstar::take(const Path &path, const ob::PlannerTerminationCondition &condition)
@@ -311,34 +184,30 @@ namespace ompl_certificates
         stuckRobot_.clear();
         if (!roadmaps_)
             beginSearch();
+        const std::size_t known = starts_.size();
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)
             return status;
+        // What is under way does not know of them.
+        if (round_ && starts_.size() > known)
+            restartRound();
         for (const Configuration &start : starts_)
             tree_->addStart(start);
         // A start or a goal may have been added since.
         if (best_)
             isBestOptimal_ = isOptimal(*best_);
-        if (const unsigned int robots = roadmaps_->getRobotCount();
-            !isDone() && rounds_ == 0 && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
-            planTogether(condition);
-        for (; !condition && !isDone(); ++rounds_)
+        if (!round_)
         {
-            if (rounds_ > 0)
-                growRoadmaps(condition);
-            takeGoals();
-            if (!connect(condition))
-            {
-                if (isAtLimit() && !pis_.haveMoreGoalStates())
-                    break;
-                continue;
-            }
-            searchByPriorities(condition);
-            if (!best_)
-                searchInCrowd(condition);
-            if (!isDone())
-                searchTree(condition);
-            if (best_)
-                shorten(*best_, condition);
+            round_ = std::make_unique<Round>();
+            const unsigned int robots = roadmaps_->getRobotCount();
+            if (!isDone() && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
+                planTogether(condition);
+        }
+        while (!condition && !isDone() && continueRound(condition))
+        {
+            if (!round_->isConnected && isAtLimit() && !pis_.haveMoreGoalStates())
+                break;
+            round_ = std::make_unique<Round>();
+            ++rounds_;
         }
         if (!best_)
         {

@@ -66,7 +66,7 @@ namespace ompl_certificates
     std::optional<TeamRoadmaps::Path>
     LazyConstraintSearch::search(std::uint64_t steps, const ompl::base::PlannerTerminationCondition &condition)
     {
-        for (std::uint64_t step = 1; step <= steps && !stack_.empty() && !isFull() && !condition; ++step)
+        for (; !isOver(steps) && !condition; ++step_)
         {
             const Number from = stack_.back();
             if (nodes_[from].configuration == goal_)
@@ -77,11 +77,14 @@ namespace ompl_certificates
                 continue;
             }
             // At steps 16, 32, 64, ...: it costs a search in each roadmap.
-            if (step >= 16 && (step & (step - 1)) == 0)
+            if (step_ >= 16 && (step_ & (step_ - 1)) == 0)
             {
                 updateDistances();
                 if (!isSolvable())
+                {
+                    stack_.clear();
                     break;
+                }
             }
             if (!chooseStep(nodes_[from], takeConstraint(nodes_[from])))
                 continue;

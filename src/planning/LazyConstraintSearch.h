@@ -28,11 +28,17 @@ namespace ompl_certificates
         /** \brief A search from \e start to \e goal. Cost: that of Dijkstra's algorithm for each robot. */
         LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start, const Configuration &goal);
 
-        /** \brief Try at most that many more steps
+        /** \brief Try that many \e steps, in all calls together; another call goes on from there
             \return a path; none if the steps are used up, there is no path, \e condition becomes true, or the search
             has taken some 500 MB */
         std::optional<TeamRoadmaps::Path> search(std::uint64_t steps,
                                                  const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Whether another call could find nothing: the steps are used up, there is no path, or no memory */
+        bool isOver(std::uint64_t steps) const
+        {
+            return step_ > steps || stack_.empty() || isFull();
+        }
 
         /** \brief The path to the configuration, among those found, from which the robots have the least way to go in
             sum. Cost: linear in the number of configurations. */
@@ -97,6 +103,8 @@ namespace ompl_certificates
         std::unordered_map<Configuration, Number, boost::hash<Configuration>> numbers_;
         /** \brief The nodes from the start to where the search is */
         std::vector<Number> stack_;
+        /** \brief The number of the next step */
+        std::uint64_t step_{1};
     };
 }
 

@@ -36,38 +36,48 @@ namespace ompl_certificates
 
     PrioritizedSearch::PrioritizedSearch(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
                                          const TeamRoadmaps::Configuration &goal,
-                                         const std::vector<std::vector<double>> &distances)
-      : roadmaps_(roadmaps), start_(start), goal_(goal), distances_(distances)
+                                         const std::vector<std::vector<double>> &distances, unsigned int orders)
+      : roadmaps_(roadmaps), start_(start), goal_(goal), distances_(distances), order_(start.size()), orders_(orders)
     {
+        std::iota(order_.begin(), order_.end(), 0U);
+        // Those with the longest way first
+        std::stable_sort(order_.begin(), order_.end(),
+                         [this](unsigned int a, unsigned int b)
+                         { return timeToGoal(a, start_[a]) > timeToGoal(b, start_[b]); });
+        begin();
+    }
+
+    void PrioritizedSearch::begin()
+    {
+        moves_.assign(1, {});
+        durations_.assign(1, 0.0);
+        planned_ = 0;
     }
 
     std::optional<TeamRoadmaps::Path>
-    PrioritizedSearch::search(unsigned int orders, const ompl::base::PlannerTerminationCondition &condition)
+    PrioritizedSearch::search(const ompl::base::PlannerTerminationCondition &condition)
     {
-        std::vector<unsigned int> order(start_.size());
-        std::iota(order.begin(), order.end(), 0U);
-        // Those with the longest way first
-        std::stable_sort(order.begin(), order.end(),
-                         [this](unsigned int a, unsigned int b)
-                         { return timeToGoal(a, start_[a]) > timeToGoal(b, start_[b]); });
-        for (; orders > 0 && !condition; --orders)
+        while (orders_ > 0 && planned_ < order_.size() && !condition)
         {
-            moves_.assign(1, {});
-            durations_.assign(1, 0.0);
-            const auto failed =
-                std::find_if(order.begin(), order.end(), [&](unsigned int robot) { return !plan(robot, condition); });
-            if (failed != order.end())
+            if (plan(order_[planned_], condition))
             {
-                std::rotate(order.begin(), failed, failed + 1);
+                ++planned_;
                 continue;
             }
-            TeamRoadmaps::Path path(moves_.size(), goal_);
-            for (std::size_t step = 0; step < moves_.size(); ++step)
-                for (const Move &move : moves_[step])
-                    path[step][move.robot] = move.from;
-            return path;
+            if (condition)
+                break;
+            const auto failed = order_.begin() + static_cast<std::ptrdiff_t>(planned_);
+            std::rotate(order_.begin(), failed, failed + 1);
+            --orders_;
+            begin();
         }
-        return std::nullopt;
+        if (orders_ == 0 || planned_ < order_.size())
+            return std::nullopt;
+        TeamRoadmaps::Path path(moves_.size(), goal_);
+        for (std::size_t step = 0; step < moves_.size(); ++step)
+            for (const Move &move : moves_[step])
+                path[step][move.robot] = move.from;
+        return path;
     }
 
     double PrioritizedSearch::timeToGoal(unsigned int robot, Vertex vertex) const

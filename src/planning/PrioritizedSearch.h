@@ -20,14 +20,23 @@ namespace ompl_certificates
     public:
         using Vertex = TeamRoadmaps::Vertex;
 
-        /** \brief A search from \e start to \e goal
-            \param distances for each robot, the distances of all vertices to its goal; see Roadmap::distancesTo() */
+        /** \brief A search from \e start to \e goal, which must live longer, that tries so many \e orders of the robots
+            \param distances for each robot, the distances of all vertices to its goal; see Roadmap::distancesTo(). They
+            must live longer. */
         PrioritizedSearch(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
-                          const TeamRoadmaps::Configuration &goal, const std::vector<std::vector<double>> &distances);
+                          const TeamRoadmaps::Configuration &goal, const std::vector<std::vector<double>> &distances,
+                          unsigned int orders);
 
-        /** \brief Try orders of the robots until one succeeds, \e orders have failed, or \e condition becomes true */
-        std::optional<TeamRoadmaps::Path> search(unsigned int orders,
-                                                 const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Try orders until one succeeds, all have failed, or \e condition becomes true. Then another call goes
+            on from there.
+            \return a path; none if there is none yet */
+        std::optional<TeamRoadmaps::Path> search(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Whether all orders have failed */
+        bool isOver() const
+        {
+            return orders_ == 0;
+        }
 
     private:
         /** \brief What a robot does in a step */
@@ -38,6 +47,9 @@ namespace ompl_certificates
             Vertex from;
             const Roadmap::Edge *edge;
         };
+
+        /** \brief Begin with the first robot of the order. */
+        void begin();
 
         /** \brief Find robot's path in time around those that are planned
             \return whether there is one */
@@ -62,6 +74,11 @@ namespace ompl_certificates
         std::vector<std::vector<Move>> moves_;
         /** \brief How long each of these steps takes: as long as the robot that needs longest */
         std::vector<double> durations_;
+        /** \brief The order that is tried, and how many of its robots are planned */
+        std::vector<unsigned int> order_;
+        std::size_t planned_{0};
+        /** \brief How many orders are left, this one among them */
+        unsigned int orders_;
     };
 }
 

@@ -53,18 +53,14 @@ namespace ompl_certificates
         return configuration;
     }
 
-    void TeamRoadmaps::grow(std::uint64_t count, Vertex most, const ob::PlannerTerminationCondition &condition)
+    bool TeamRoadmaps::grow(std::uint64_t count, Vertex most, const ob::PlannerTerminationCondition &condition)
     {
-        struct Growth
-        {
-            Roadmap *roadmap;
-            Vertex most;
-            std::uint64_t samples;
-        };
-        std::vector<Growth> open;
-        for (const auto &roadmap : roadmaps_)
-            open.push_back({roadmap.get(), static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most)),
-                            SAMPLES_PER_VERTEX * count});
+        std::vector<Growth> &open = growths_;
+        if (open.empty())
+            for (const auto &roadmap : roadmaps_)
+                open.push_back({roadmap.get(),
+                                static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most)),
+                                SAMPLES_PER_VERTEX * count});
         const auto isDone = [](const Growth &growth)
         { return growth.roadmap->size() >= growth.most || growth.samples == 0; };
         // The condition is asked between batches alone, and as often for any number of threads.
@@ -72,7 +68,7 @@ namespace ompl_certificates
         {
             open.erase(std::remove_if(open.begin(), open.end(), isDone), open.end());
             if (open.empty() || condition)
-                return;
+                return open.empty();
             const std::size_t threads = std::min<std::size_t>(threads_, open.size());
             const auto growSome = [&open, threads](std::size_t first)
             {

@@ -62,9 +62,10 @@ namespace ompl_certificates
         /** \brief Add a free state of the team */
         Configuration add(const ompl::base::State *state);
 
-        /** \brief Let each roadmap grow by \e count vertices, but to no more than \e most; by fewer if \e condition
-            becomes true. The number of threads changes nothing but the time. */
-        void grow(std::uint64_t count, Vertex most, const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Let each roadmap grow by \e count vertices, but to no more than \e most, until \e condition becomes
+            true. Then another call finishes that growth. The number of threads changes nothing but the time.
+            \return whether it is finished */
+        bool grow(std::uint64_t count, Vertex most, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free.
             Checked once, then remembered, up to 10^7 such motions. */
@@ -118,7 +119,18 @@ namespace ompl_certificates
 
         const CertificateMotionValidator &validator_;
         const unsigned int threads_;
+        /** \brief How far a roadmap is to grow */
+        struct Growth
+        {
+            Roadmap *roadmap;
+            Vertex most;
+            /** \brief How many samples are left for it */
+            std::uint64_t samples;
+        };
+
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
+        /** \brief Those that are not finished */
+        std::vector<Growth> growths_;
         std::vector<unsigned int> roadmapOf_;
         std::vector<double> speeds_;
         /** \brief Whether the robots stay apart */

@@ -68,7 +68,7 @@ namespace ompl_certificates
         void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
 
         /** \brief Plan until \e condition becomes true, the objective is satisfied or no path can be better. Calls
-            of solve() continue the search before, unless clear() was called, or the validity checker, the motion
+            of solve() go on where the one before was stopped, unless clear() was called, or the validity checker, the motion
             validator or the objective is another one. If a robot finds no way even alone, a message names it; then
             planning also ends when the roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
@@ -154,6 +154,8 @@ namespace ompl_certificates
         using Configuration = std::vector<std::uint32_t>;
         using Path = std::vector<Configuration>;
 
+        struct Round;
+
         /** \brief Take the checker, the motion validator and the objective that are set now. If they are others, what
             was found with those before is of no use: clear(). */
         void takeCheckers();
@@ -174,8 +176,16 @@ namespace ompl_certificates
         /** \brief Let RRTConnect try its luck with the whole team: it solves what is easy for few robots at once. */
         void planTogether(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Let the roadmaps grow for this round */
-        void growRoadmaps(const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Do what is left of this round
+            \return whether it is finished; false if \e condition became true */
+        bool continueRound(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Do this round's searches again, since there are new starts. */
+        void restartRound();
+
+        /** \brief Let the roadmaps grow for this round
+            \return whether they have */
+        bool growRoadmaps(const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Whether all roadmaps have grown to their limit */
         bool isAtLimit() const;
@@ -184,14 +194,17 @@ namespace ompl_certificates
             \return whether there is one */
         bool connect(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Look for a path by priorities */
-        void searchByPriorities(const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Look for a path by priorities
+            \return whether this is finished */
+        bool searchByPriorities(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Look for any path by LazyConstraintSearch */
-        void searchInCrowd(const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Look for any path by LazyConstraintSearch
+            \return whether this is finished */
+        bool searchInCrowd(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Look for better paths with the tree */
-        void searchTree(const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Look for better paths with the tree
+            \return whether this is finished */
+        bool searchTree(const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Report a path, and shorten it */
         void take(const Path &path, const ompl::base::PlannerTerminationCondition &condition);
@@ -237,6 +250,8 @@ namespace ompl_certificates
         unsigned int roadmapSize_{20}, maxRoadmapSize_{100000}, threads_{1};
         bool sharesRoadmaps_{true}, smoothing_{true};
         unsigned int rounds_{0};
+        /** \brief What of the present round is done; null before the first one */
+        std::unique_ptr<Round> round_;
         /** \brief What progress properties tell: other threads may ask. */
         std::atomic<double> bestCost_;
         std::atomic<std::uint64_t> iterations_{0}, vertices_{0};
