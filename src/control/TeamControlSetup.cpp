@@ -145,6 +145,15 @@ namespace ompl_certificates
         ob::PlannerSolution simplified(nullptr);
         pdef_->getSolution(simplified);
         simplified.length_ = path.length();
+        if (simplified.approximate_)
+        {
+            simplified.approximate_ = !getGoal()->isSatisfied(path.getStates().back(), &simplified.difference_);
+            if (!simplified.approximate_)
+            {
+                simplified.difference_ = 0.0;
+                last_status_ = ob::PlannerStatus::EXACT_SOLUTION;
+            }
+        }
         if (simplified.opt_)
             simplified.cost_ = path.asGeometric().cost(simplified.opt_);
         pdef_->clearSolutionPaths();

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -184,20 +185,21 @@ namespace ompl_certificates
         stuckRobot_.clear();
         if (!roadmaps_)
             beginSearch();
-        const std::size_t known = starts_.size();
+        const std::size_t knownStarts = starts_.size();
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)
             return status;
-        // What is under way does not know of them.
-        if (round_ && starts_.size() > known)
-            restartRound();
+        const unsigned int goals = pdef_->getGoal()->as<ob::GoalSampleableRegion>()->maxSampleCount();
+        // What is under way does not know of new starts and goals.
+        const bool isOther = !round_ || starts_.size() > knownStarts || goals > knownGoals_;
+        knownGoals_ = goals;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
         // A start or a goal may have been added since.
         if (best_)
             isBestOptimal_ = isOptimal(*best_);
-        if (!round_)
+        if (isOther)
         {
-            round_ = std::make_unique<Round>();
+            beginRound();
             const unsigned int robots = roadmaps_->getRobotCount();
             if (!isDone() && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
                 planTogether(condition);

@@ -25,7 +25,7 @@ namespace ompl_certificates
         Round &round = *round_;
         if (round.phase == Round::GROWTH)
         {
-            if (rounds_ > 0 && !growRoadmaps(condition))
+            if ((rounds_ > 0 || round.wasCutOff) && !growRoadmaps(condition))
                 return false;
             takeGoals();
             round.phase = Round::CONNECTION;
@@ -34,7 +34,12 @@ namespace ompl_certificates
         {
             round.isConnected = connect(condition);
             if (!round.isConnected && condition)
+            {
+                // Else RRTConnect would begin anew in each of many short calls, and never find a long way.
+                round.wasCutOff = true;
+                round.phase = Round::GROWTH;
                 return false;
+            }
             round.phase = round.isConnected ? Round::PRIORITIES : Round::END;
             round.treeIterations = effort(TREE_ITERATIONS);
         }
@@ -53,11 +58,14 @@ namespace ompl_certificates
         return round.phase == Round::END;
     }
 
-    void DRRTstar::restartRound()
+    void DRRTstar::beginRound()
     {
-        const Round::Phase phase = std::min(round_->phase, Round::CONNECTION);
+        const bool hasGrown = round_ && round_->phase != Round::GROWTH;
         round_ = std::make_unique<Round>();
-        round_->phase = phase;
+        if (!hasGrown)
+            return;
+        takeGoals();
+        round_->phase = Round::CONNECTION;
     }
 
     std::uint64_t DRRTstar::effort(unsigned int first) const

@@ -57,22 +57,23 @@ namespace ompl_certificates
     std::optional<TeamRoadmaps::Path>
     PrioritizedSearch::search(const ompl::base::PlannerTerminationCondition &condition)
     {
-        while (orders_ > 0 && planned_ < order_.size() && !condition)
+        for (; orders_ > 0 && !condition; --orders_)
         {
-            if (plan(order_[planned_], condition))
-            {
+            while (planned_ < order_.size() && plan(order_[planned_], condition))
                 ++planned_;
-                continue;
-            }
+            if (planned_ == order_.size())
+                return getPath();
             if (condition)
-                break;
+                return std::nullopt;
             const auto failed = order_.begin() + static_cast<std::ptrdiff_t>(planned_);
             std::rotate(order_.begin(), failed, failed + 1);
-            --orders_;
             begin();
         }
-        if (orders_ == 0 || planned_ < order_.size())
-            return std::nullopt;
+        return std::nullopt;
+    }
+
+    TeamRoadmaps::Path PrioritizedSearch::getPath() const
+    {
         TeamRoadmaps::Path path(moves_.size(), goal_);
         for (std::size_t step = 0; step < moves_.size(); ++step)
             for (const Move &move : moves_[step])

@@ -61,6 +61,9 @@ namespace ompl_certificates
         /** \brief Whether a robot may take an edge in a step */
         bool isFree(unsigned int robot, Vertex from, const Roadmap::Edge &edge, std::size_t step);
 
+        /** \brief The path of all robots, once they are planned */
+        TeamRoadmaps::Path getPath() const;
+
         /** \brief Note the path of a robot, one vertex after each step */
         void keep(unsigned int robot, const std::vector<Vertex> &path);
 

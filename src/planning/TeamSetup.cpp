@@ -28,6 +28,11 @@ namespace ompl_certificates
             return checker && !CertificateMotionValidator(si, checker).getFurtherChecker() &&
                    !(validator && validator->getFurtherChecker());
         }
+
+        const ob::State *endOf(const og::PathGeometric &path)
+        {
+            return path.getState(static_cast<unsigned int>(path.getStateCount() - 1));
+        }
     }
 
     TeamSetup::TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
@@ -59,8 +64,17 @@ namespace ompl_certificates
         const ob::OptimizationObjectivePtr objective = pdef_->hasOptimizationObjective()
                                                            ? pdef_->getOptimizationObjective()
                                                            : std::make_shared<TeamPathLength>(si_);
+        const auto isAtGoal = [this](const og::PathGeometric &path) { return getGoal()->isSatisfied(endOf(path)); };
+        // OMPL's simplifier may know a goal from before, and lead there.
+        const bool wasAtGoal = isAtGoal(solution);
         const auto isNoWorse = [&](const og::PathGeometric &path)
-        { return !objective->isCostBetterThan(solution.cost(objective), path.cost(objective)); };
+        {
+            return !objective->isCostBetterThan(solution.cost(objective), path.cost(objective)) &&
+                   (!wasAtGoal || isAtGoal(path));
+        };
+        // SimpleSetup makes one with the goal that is given to itself, not to the problem.
+        if (!psk_)
+            psk_ = std::make_shared<og::PathSimplifier>(si_, getGoal());
         og::PathGeometric simplified = solution;
         psk_->simplify(simplified, condition);
         if (simplified.check() && isNoWorse(simplified))
@@ -79,6 +93,15 @@ namespace ompl_certificates
             return;
         better.path_ = std::make_shared<og::PathGeometric>(path);
         better.length_ = path.length();
+        if (better.approximate_)
+        {
+            better.approximate_ = !getGoal()->isSatisfied(endOf(path), &better.difference_);
+            if (!better.approximate_)
+            {
+                better.difference_ = 0.0;
+                lastStatus_ = ob::PlannerStatus::EXACT_SOLUTION;
+            }
+        }
         if (better.opt_)
         {
             better.cost_ = path.cost(better.opt_);

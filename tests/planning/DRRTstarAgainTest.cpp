@@ -129,6 +129,26 @@ TEST_F(DRRTstarAgain, KeepsItsSearchWhenItIsSetUpAgain)
     }
 }
 
+// Whoever shows progress, or plans while a robot waits, calls solve() again and again, each time for an instant.
+TEST_F(DRRTstarAgain, FindsInManyShortCallsWhatOneLongCallFinds)
+{
+    for (const std::uint64_t slice : {30U, 100U, 300U})
+    {
+        // They cannot pass each other but by a gap of their own width.
+        Room whole(6, 18.6), parts(6, 18.6);
+        constexpr std::uint64_t all = 6000;
+        ASSERT_EQ(whole.setup->solve(evaluations(all)), ob::PlannerStatus::EXACT_SOLUTION);
+        ob::PlannerStatus status = ob::PlannerStatus::TIMEOUT;
+        std::uint64_t spent = 0;
+        // What calls cost on their own comes on top.
+        for (; spent < 3 * all && status != ob::PlannerStatus::EXACT_SOLUTION; spent += slice)
+            status = parts.setup->solve(evaluations(slice));
+        ASSERT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION) << slice;
+        EXPECT_TRUE(parts.setup->getSolutionPath().check()) << slice;
+        std::printf("DBG slice %zu spent %zu\n", (size_t)slice, (size_t)spent);
+    }
+}
+
 /** The wall divides the room; then another checker knows of none. */
 TEST_F(DRRTstarAgain, TakesTheCheckerThatIsThere)
 {

@@ -221,3 +221,60 @@ TEST(Checkers, KeepTheTeamAsItIs)
     const TeamSetup setup(team, noObstacles(2));
     EXPECT_THROW(team->addRobot(RigidRobot::disc("late", 0.1, cubeBounds(2, HALF))), ompl::Exception);
 }
+
+// OMPL's simplifier goes on to goals that are nearer, and knows the goal that it was made with.
+TEST(TeamSetup, SimplifiesToTheGoalThatTheProblemHasNow)
+{
+    const auto team = teamOfDiscs();
+    ob::ScopedState<> start(team), old(team), goal(team);
+    start = std::vector<double>{0.0, 0.0, 3.0, 0.0, -3.0, 0.0};
+    old = std::vector<double>{0.0, 1.0, 3.0, 1.0, -3.0, 1.0};
+    goal = std::vector<double>{3.0, 3.0, -3.0, 3.0, 0.0, 3.0};
+    for (const bool knowsAnother : {false, true})
+        for (unsigned int seed = 1; seed <= 5; ++seed)
+        {
+            ompl::RNG::setSeed(seed);
+            TeamSetup setup(team, noObstacles(2));
+            if (knowsAnother)
+                setup.setStartAndGoalStates(start, old);
+            const auto &problem = setup.getProblemDefinition();
+            problem->clearStartStates();
+            problem->clearGoal();
+            problem->addStartState(start);
+            problem->setGoalState(goal);
+            setup.setPlanner(std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation()));
+            ASSERT_EQ(setup.solve(evaluations(20000)), ob::PlannerStatus::EXACT_SOLUTION) << seed;
+            setup.simplifySolution(evaluations(2000));
+            EXPECT_TRUE(setup.getGoal()->isSatisfied(setup.getSolutionPath().getStates().back())) << seed;
+        }
+}
+
+TEST(TeamSetup, TellsWhetherASimplifiedPathReachesTheGoal)
+{
+    const auto team = teamOfDiscs();
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{0.0, 0.0, 3.0, 0.0, -3.0, 0.0};
+    goal = std::vector<double>{0.0, 3.0, 3.0, 3.0, -3.0, 3.0};
+    unsigned int reached = 0;
+    for (unsigned int seed = 1; seed <= 20; ++seed)
+    {
+        ompl::RNG::setSeed(seed);
+        TeamSetup setup(team, noObstacles(2));
+        setup.setStartAndGoalStates(start, goal);
+        const auto rrt = std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation());
+        rrt->setGoalBias(0.0);
+        setup.setPlanner(rrt);
+        if (setup.solve(evaluations(100)) != ob::PlannerStatus::APPROXIMATE_SOLUTION)
+            continue;
+        setup.simplifySolution(evaluations(2000));
+        double distance = 0.0;
+        const bool isReached = setup.getGoal()->isSatisfied(setup.getSolutionPath().getStates().back(), &distance);
+        reached += isReached ? 1 : 0;
+        EXPECT_EQ(setup.haveExactSolutionPath(), isReached) << seed;
+        EXPECT_NEAR(setup.getProblemDefinition()->getSolutionDifference(), isReached ? 0.0 : distance, 1e-9) << seed;
+        EXPECT_EQ(setup.getLastPlannerStatus(),
+                  isReached ? ob::PlannerStatus::EXACT_SOLUTION : ob::PlannerStatus::APPROXIMATE_SOLUTION)
+            << seed;
+    }
+    EXPECT_GT(reached, 0U);
+}

@@ -180,8 +180,8 @@ namespace ompl_certificates
             \return whether it is finished; false if \e condition became true */
         bool continueRound(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Do this round's searches again, since there are new starts. */
-        void restartRound();
+        /** \brief Begin the first round, or this one again but for growth, since there are new starts or goals. */
+        void beginRound();
 
         /** \brief Let the roadmaps grow for this round
             \return whether they have */
@@ -239,6 +239,8 @@ namespace ompl_certificates
         std::unique_ptr<RoadmapPathCheck> check_;
         std::unique_ptr<TeamPathSimplifier> simplifier_;
         std::vector<Configuration> starts_;
+        /** \brief How many goals there were to sample in the last solve() */
+        unsigned int knownGoals_{0};
         ompl::base::OptimizationObjectivePtr objective_;
         std::shared_ptr<ompl::geometric::PathGeometric> best_;
         /** \brief Whether the best path is optimal */
