@@ -141,14 +141,17 @@ namespace ompl_certificates
     std::vector<LinkPair> pairsNotAdjacent(const KinematicTree &tree)
     {
         const auto &links = tree.getLinks();
-        // For each link with a body, the next one towards the root
+        const auto moves = [&links](std::size_t link)
+        { return links[link].joint.type != KinematicTree::JointType::FIXED; };
+        // For each link with a body, the next one towards the root; none if it moves by several joints from there
         std::map<std::string, std::string> above;
         for (std::size_t i = 1; i < links.size(); ++i)
         {
             std::size_t next = links[i].parent;
-            while (next != 0 && !links[next].body)
-                next = links[next].parent;
-            above.emplace(links[i].name, links[next].name);
+            int moving = moves(i) ? 1 : 0;
+            for (; next != 0 && !links[next].body; next = links[next].parent)
+                moving += moves(next) ? 1 : 0;
+            above.emplace(links[i].name, moving > 1 ? std::string() : links[next].name);
         }
         std::vector<LinkPair> pairs = pairsOf(tree);
         pairs.erase(std::remove_if(pairs.begin(), pairs.end(),

@@ -13,7 +13,8 @@ namespace ompl_certificates
     /** \brief All pairs of links with bodies */
     std::vector<LinkPair> pairsOf(const KinematicTree &tree);
 
-    /** \brief All pairs of links with bodies but those that a joint connects, also through links without bodies */
+    /** \brief All pairs of links with bodies but those that a joint connects, also through fixed joints and links
+        without bodies */
     std::vector<LinkPair> pairsNotAdjacent(const KinematicTree &tree);
 
     /** \brief Of the pairs of \e arm those that collide in all of 1000 random states. The states are the same in each

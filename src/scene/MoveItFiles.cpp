@@ -243,6 +243,10 @@ namespace ompl_certificates
             const MoveItFrames frames = readMoveItFrames(root, robot, state, {});
             const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
             std::vector<std::string> notes;
+            if (root.has("is_diff") && root.at("is_diff").boolean())
+                notes.push_back(scene +
+                                ": is_diff is true, so the file tells what has changed: obstacles that it does "
+                                "not name are not there");
             MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder, notes);
 
             bool isToldByStart = false;

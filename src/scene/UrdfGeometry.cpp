@@ -231,9 +231,9 @@ namespace ompl_certificates
             if (above == above.parent_path())
                 break;
         }
-        candidates.insert(candidates.end(), others.begin(), others.end());
         for (const fs::path &known : packagesOfRos(package))
             candidates.push_back(known / path);
+        candidates.insert(candidates.end(), others.begin(), others.end());
         for (const fs::path &candidate : candidates)
             if (isFile(candidate))
                 return candidate.lexically_normal();

@@ -1,5 +1,6 @@
 #include "UrdfReader.h"
 
+#include "UrdfElements.h"
 #include "UrdfGeometry.h"
 #include "XmlFile.h"
 #include "robots/JointTypes.h"
@@ -101,16 +102,6 @@ namespace ompl_certificates
         private:
             urdf::ModelInterfaceSharedPtr model_;
         };
-
-        /** The links that are to be seen, but take no part in collisions */
-        std::vector<std::string> linksSeenOnly(pugi::xml_node robot)
-        {
-            std::vector<std::string> names;
-            for (const pugi::xml_node link : robot.children("link"))
-                if (link.child("visual") && !link.child("collision"))
-                    names.emplace_back(link.attribute("name").value());
-            return names;
-        }
 
         /** Drop what planning does not need, so that it cannot be wrong. */
         void prune(pugi::xml_node robot, bool useVisuals)
@@ -271,8 +262,10 @@ namespace ompl_certificates
         XmlFile xml(file, "robot");
         const pugi::xml_node robot = xml.getRoot();
         std::vector<std::string> notes = xml.leftOverFromXacro();
-        const std::vector<std::string> seenOnly =
-            options.useVisuals ? std::vector<std::string>() : linksSeenOnly(robot);
+        for (const std::string &note : unknownElements(xml))
+            notes.push_back(note);
+        const std::vector<std::string> without =
+            options.useVisuals ? linksWithout(xml, "collision", "visual") : linksWithout(xml, "visual", "collision");
         prune(robot, options.useVisuals);
         check(xml, robot);
         std::ostringstream text;
@@ -318,10 +311,11 @@ namespace ompl_certificates
         {
             xml.fail(exception.what());
         }
-        if (!seenOnly.empty())
+        if (!without.empty())
             result.notes.push_back(
-                file +
-                ": these links have a visual and no collision geometry, so they are not checked: " + joined(seenOnly));
+                file + ": these links have a " +
+                (options.useVisuals ? "collision geometry and no visual" : "visual and no collision geometry") +
+                ", so they are not checked: " + joined(without));
         return result;
     }
 }

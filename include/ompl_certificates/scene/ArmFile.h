@@ -72,9 +72,9 @@ namespace ompl_certificates
         joints with origin, axis, limits and mimic. A size of 0 counts as a thousandth of a millimeter. Inertias,
         materials, transmissions and the like are left out, whatever they say. A mesh is looked for
         - package://name/path: in the folder of the package, if the options tell it. Else it is looked for as name/path
-          in the folder of the URDF file and in each folder above it; then as path, but not in a folder whose
-          package.xml has another name. Last come the packages that ROS knows: share/name/path in the folders of
-          AMENT_PREFIX_PATH, and name/path in those of ROS_PACKAGE_PATH.
+          in the folder of the URDF file and in each folder above it; then in the packages that ROS knows:
+          share/name/path in the folders of AMENT_PREFIX_PATH, and name/path in those of ROS_PACKAGE_PATH. Last it is
+          looked for as path in the former folders, but for those whose package.xml has another name.
         - file:///path: there.
         - path: in the folder of the URDF file.
 
@@ -194,7 +194,7 @@ namespace ompl_certificates
         const std::map<std::string, double> &getState(const std::string &group, const std::string &state) const;
 
         /** \brief An arm that moves the joints of \e group, checked for self-collision in the pairs of links that the
-            SRDF file leaves. Without an SRDF file these are all pairs but links that a joint connects, also through
+            SRDF file leaves. Without an SRDF file these are all pairs but links that one joint connects, also through
             links without geometry, and pairs that collide in all of 1000 random states. Pairs that never move towards
             each other are checked here, once.
             \param name the robot's name
