@@ -86,6 +86,37 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
     EXPECT_TRUE(states[0] != states[1] || states[1] != states[2]);
 }
 
+// Who has read enough closes the pipe.
+TEST(BenchmarkTeam, writesLogsThoughNobodyReadsItsTables)
+{
+    const Folder folder;
+    for (const std::string scene : {"a.yaml", "b.yaml"})
+        writeFile(folder / scene, easyScene());
+    const std::string command = OMPL_CERTIFICATES_BIN_DIR "/benchmark_team " + (folder / "a.yaml") + " " +
+                                (folder / "b.yaml") + " --planners RRT --methods shared --runs 1 --time 0.2 --log " +
+                                (folder / "log.log") + " 2> " + (folder / "errors") + " | true; exit ${PIPESTATUS[0]}";
+    const int status = std::system(("bash -c '" + command + "'").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_TRUE(std::filesystem::exists(folder / "log_a.log"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "log_b.log"));
+    EXPECT_NE(contentOf(folder / "errors").find("standard output"), std::string::npos) << contentOf(folder / "errors");
+}
+
+TEST(BenchmarkTeam, overwritesNoMeshOfItsScene)
+{
+    const Folder folder;
+    const std::string mesh = "v 4 4 0\nv 6 4 0\nv 5 6 1\nf 1 2 3\n";
+    writeFile(folder / "wall.obj", mesh);
+    writeFile(folder / "scene.yaml",
+              "environment: {min: [0, 0], max: [10, 10], obstacles: [{type: mesh, file: wall.obj, center: [0, 0]}]}\n"
+              "robots:\n  - {type: rigid, space: R2, shape: {type: disc, radius: 0.2}, start: [1, 1], goal: [2, 1]}\n");
+    Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRT", "--methods", "shared", "--runs", "1",
+                                       "--time", "0.1", "--log", folder / "wall.obj"});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("would overwrite what is read"), std::string::npos) << program.errors();
+    EXPECT_EQ(contentOf(folder / "wall.obj"), mesh);
+}
+
 TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
 {
     for (const int signal : {SIGINT, SIGTERM})

@@ -64,6 +64,8 @@ TEST(Completion, suggestsTheWordsOfAnOption)
     EXPECT_EQ(suggested("plan_team", {"--method", ""}), (Words{"fcl", "standard", "basic", "partial", "shared"}));
     EXPECT_EQ(suggested("plan_team", {"--quiet", "--planner", "DRRT"}), (Words{"DRRTstar"}));
     EXPECT_EQ(suggested("plan_team", {"--picture-t"}), (Words{"--picture-tree"}));
+    EXPECT_EQ(suggested("benchmark_team", {"--methods", "fcl,s"}), (Words{"fcl,standard", "fcl,shared"}));
+    EXPECT_EQ(suggested("benchmark_team", {"--planners", "RRT,BIT*,DRRT"}), (Words{"RRT,BIT*,DRRTstar"}));
     EXPECT_TRUE(suggested("plan_team", {"--picture", "pl"}).empty()) << "bash completes files then";
 }
 

@@ -133,6 +133,8 @@ TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
     const std::string damaged = out + "/trials/" + some.begin()->first;
     const std::string text = contentOf(damaged);
     writeFile(damaged, text.substr(0, text.size() / 2));
+    if (some.size() > 2)  // JSON, but no trial
+        writeFile(out + "/trials/" + std::next(some.begin())->first, R"({"grid": 5, "trial": "x", "records": []})");
     std::string kept;
     if (some.size() > 1)
         kept = contentOf(out + "/trials/" + some.rbegin()->first);

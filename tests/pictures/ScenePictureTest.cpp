@@ -268,6 +268,21 @@ namespace ompl_certificates
             EXPECT_TRUE(test::isWellFormed(svg));
         }
 
+        TEST(ScenePicture, NumbersOfAxesFarFromZeroDiffer)
+        {
+            ob::RealVectorBounds bounds(2);
+            bounds.low = {500000.0, 4500000.0};
+            bounds.high = {500010.0, 4500010.0};
+            const std::string svg = ScenePicture(Scene("map", "map", bounds)).toSvg();
+            for (const std::string number : {"500001", "500010", "4500000", "4500001", "4500010"})
+                EXPECT_EQ(countOf(svg, ">" + number + "<"), 1u) << number;
+            bounds.low = {0.0, -0.003};
+            bounds.high = {0.003, 0.0};
+            const std::string small = ScenePicture(Scene("small", "small", bounds)).toSvg();
+            for (const std::string number : {">0.001<", ">-0.001<", ">0<"})
+                EXPECT_GE(countOf(small, number), 1u) << number;
+        }
+
         TEST(ScenePicture, NamesMayHaveCharactersThatXmlDoesNot)
         {
             ob::RealVectorBounds bounds(2);

@@ -219,7 +219,7 @@ namespace ompl_certificates
         std::filesystem::remove(folder / "hand/meshes/part.obj");
         const std::string message = messageOf([&] { sizeOf("hand"); });
         EXPECT_NE(message.find("in '" + std::string(folder / "hand") + "'"), std::string::npos) << message;
-        // Those that ROS knows come last.
+        // Those that ROS knows come before a folder of another name.
         cube("install/share/leg/meshes/part.obj", "3");
         cube("source/arm/meshes/part.obj", "4");
         cube("source/hand/meshes/part.obj", "5");
@@ -230,6 +230,8 @@ namespace ompl_certificates
         EXPECT_NEAR(sizeOf("arm"), 4.0 * M_SQRT1_2, 1e-12);
         EXPECT_NEAR(sizeOf("hand"), 5.0 * M_SQRT1_2, 1e-12);
         EXPECT_NEAR(sizeOf("robot"), M_SQRT1_2, 1e-12);
+        std::filesystem::remove(folder / "robot/package.xml");
+        EXPECT_NEAR(sizeOf("leg"), 3.0 * M_SQRT1_2, 1e-12);
         unsetenv("AMENT_PREFIX_PATH");
         unsetenv("ROS_PACKAGE_PATH");
     }
@@ -251,6 +253,62 @@ namespace ompl_certificates
             std::vector<std::string> notes;
             ArmFile(urdf, "", options).makeArm("arm", "", {}, &notes);
             EXPECT_EQ(std::count(notes.begin(), notes.end(), note), visuals ? 0 : 1);
+            const std::string opposite =
+                urdf + ": these links have a collision geometry and no visual, so they are not checked: base";
+            EXPECT_EQ(std::count(notes.begin(), notes.end(), opposite), visuals ? 1 : 0);
+        }
+    }
+
+    // A gantry: the head may go into the frame.
+    TEST(ArmFile, ChecksLinksBetweenWhichSeveralJointsMove)
+    {
+        const test::Folder folder;
+        const auto pairsBy = [&](const std::string &first, const std::string &second)
+        {
+            const ArmFile file(folder.write(
+                "a.urdf", robot(link("frame") + link("x", "") + link("head") + joint("a", first, "frame", "x", LIMIT) +
+                                joint("b", second, "x", "head", LIMIT + "<origin xyz='0 0 2'/>"))));
+            return file.makeArm("arm", "", {})->getBodyPairs().size();
+        };
+        EXPECT_EQ(pairsBy("prismatic", "prismatic"), 1U);
+        EXPECT_EQ(pairsBy("prismatic", "fixed"), 0U);
+        EXPECT_EQ(pairsBy("fixed", "prismatic"), 0U);
+    }
+
+    TEST(ArmFile, TellsOfElementsThatNobodyKnows)
+    {
+        const test::Folder folder;
+        const std::string box = "<geometry><box size='1 1 1'/></geometry>";
+        const auto notesOf = [&](const std::string &inBase, const std::string &inJoint)
+        {
+            const std::string urdf =
+                folder.write("a.urdf", robot(link("base", "<collision>" + box + "</collision>" + inBase) + link("tip") +
+                                             joint("j", "revolute", "base", "tip", LIMIT + inJoint)));
+            std::vector<std::string> notes;
+            ArmFile(urdf, "").makeArm("arm", "", {}, &notes);
+            std::string all;
+            for (const std::string &note : notes)
+                all += note + "\n";
+            return all;
+        };
+        EXPECT_EQ(notesOf("<inertial/><visual>" + box + "<material name='red'/></visual><ros:any/>",
+                          "<dynamics damping='1'/><safety_controller k_velocity='1'/>")
+                      .find("ignored"),
+                  std::string::npos);
+        const std::vector<std::array<std::string, 3>> oddities{
+            {"<colision>" + box + "</colision>", "", "<colision>: is not known in a 'link' of URDF: it is ignored"},
+            {"", "<mimick joint='j'/>", "<mimick>: is not known in a 'joint'"},
+            {"", "<Axis xyz='0 1 0'/>", "<Axis>: is not known in a 'joint'"},
+            {"", "<origin position='0 1 0'/>", "<origin>: has an attribute 'position'"},
+            {"", "<axis xyz='0 1 0'/><axis xyz='0 0 1'/>", "<axis>: is the second axis of its 'joint'"},
+            {"<collision>" + box + box + "</collision>", "", "<geometry>: is the second geometry of its 'collision'"},
+            {"<collision><geometry><box size='1 1 1'/><sphere radius='1'/></geometry></collision>", "",
+             "<sphere>: is the second shape of its 'geometry'"}};
+        for (const auto &[inBase, inJoint, note] : oddities)
+        {
+            const std::string notes = notesOf(inBase, inJoint);
+            EXPECT_NE(notes.find(note), std::string::npos) << notes;
+            EXPECT_NE(notes.find("a.urdf"), std::string::npos) << notes;
         }
     }
 

@@ -264,6 +264,20 @@ namespace ompl_certificates
             EXPECT_NE(pairsOf(armOf(read(BALL + empty))), before);
         }
 
+        TEST_F(MoveItScene, TellsThatADifferenceIsNotAllThereIs)
+        {
+            const auto tells = [&](const std::string &isDiff)
+            {
+                const auto &notes = read(BALL + isDiff).scene.getNotes();
+                return std::any_of(notes.begin(), notes.end(),
+                                   [](const std::string &note)
+                                   { return note.find("is_diff is true") != std::string::npos; });
+            };
+            EXPECT_TRUE(tells("is_diff: true\n"));
+            EXPECT_FALSE(tells("is_diff: false\n"));
+            EXPECT_FALSE(tells(""));
+        }
+
         TEST_F(MoveItScene, TheMatrixReplacesTheSrdfFilesPairs)
         {
             using Pairs = std::vector<std::string>;

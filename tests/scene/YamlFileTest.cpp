@@ -325,12 +325,13 @@ namespace ompl_certificates
     // Its tolerance would be too large for anything to be certified near it.
     TEST(YamlFile, PlacesPolygonsOfAMapsCoordinates)
     {
-        const Scene scene = sceneFromYaml("environment: {min: [500000, 5400000], max: [500010, 5400010], obstacles: ["
-                                          "{type: polygon, vertices: [[500004, 5400004], [500006, 5400004], "
-                                          "[500005, 5400006]]}]}\nrobots:\n  - {type: rigid, space: R2, shape: "
-                                          "{type: disc, radius: 1}, start: [500001, 5400001], goal: [500009, "
-                                          "5400009]}\n",
-                                          "map");
+        const Scene scene = sceneFromYaml(
+            "environment: {min: [500000, 5400000], max: [500010, 5400010], obstacles: ["
+            "{type: polygon, vertices: [[500004, 5400004], [500006, 5400004], "
+            "[500005, 5400006]]}]}\nrobots:\n  - {type: rigid, space: R2, shape: "
+            "{type: disc, radius: 1}, start: [500001, 5400001], goal: [500009, "
+            "5400009]}\n",
+            "map");
         EXPECT_LT(scene.makeObstacles()->getTolerance(), 1e-4);
         EXPECT_NEAR(scene.makeObstacles()->clearance({500005.0, 5400003.0, 0.0}), 1.0, 1e-9);
     }
