@@ -105,8 +105,9 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
             problem->addStartState(pdef_->getStartState(i));
         problem->setGoal(pdef_->getGoal());
-        if (const auto path = planByRRTConnect(problem, getName() + ", all robots at once", team.getPlannerRange(),
-                                               TEAM_ITERATIONS[team.getRobotCount()], condition))
+        LimitedRRTConnect search(problem, getName() + ", all robots at once", team.getPlannerRange(),
+                                 TEAM_ITERATIONS[team.getRobotCount()]);
+        if (const auto path = search.search(condition))
         {
             report(*path);
             shorten(*path, condition);

@@ -25,7 +25,7 @@ namespace ompl_certificates
         Round &round = *round_;
         if (round.phase == Round::GROWTH)
         {
-            if ((rounds_ > 0 || round.wasCutOff) && !growRoadmaps(condition))
+            if (rounds_ > 0 && !growRoadmaps(condition))
                 return false;
             takeGoals();
             round.phase = Round::CONNECTION;
@@ -34,12 +34,7 @@ namespace ompl_certificates
         {
             round.isConnected = connect(condition);
             if (!round.isConnected && condition)
-            {
-                // Else RRTConnect would begin anew in each of many short calls, and never find a long way.
-                round.wasCutOff = true;
-                round.phase = Round::GROWTH;
                 return false;
-            }
             round.phase = round.isConnected ? Round::PRIORITIES : Round::END;
             round.treeIterations = effort(TREE_ITERATIONS);
         }

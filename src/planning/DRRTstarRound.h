@@ -25,9 +25,6 @@ namespace ompl_certificates
         /** \brief What is to be done next */
         Phase phase{GROWTH};
 
-        /** \brief Whether robots had no time to look for their ways: then the roadmaps grow before they do again. */
-        bool wasCutOff{false};
-
         /** \brief Whether each robot can reach a goal alone */
         bool isConnected{false};
 

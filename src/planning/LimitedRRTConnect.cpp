@@ -1,26 +1,30 @@
 #include "LimitedRRTConnect.h"
 
 #include <ompl/base/SpaceInformation.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <utility>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
 
-    std::shared_ptr<og::PathGeometric> planByRRTConnect(const ob::ProblemDefinitionPtr &problem,
-                                                        const std::string &name, double range, unsigned int iterations,
-                                                        const ob::PlannerTerminationCondition &condition)
+    LimitedRRTConnect::LimitedRRTConnect(ob::ProblemDefinitionPtr problem, const std::string &name, double range,
+                                         unsigned int iterations)
+      : problem_(std::move(problem))
+      , iterations_(iterations)
+      , planner_(problem_->getSpaceInformation())
+      , limit_(iterations)
     {
-        og::RRTConnect planner(problem->getSpaceInformation());
-        planner.setName(name);
-        planner.setRange(range);
-        planner.setProblemDefinition(problem);
-        planner.setup();
-        ob::IterationTerminationCondition limit(iterations);
-        planner.solve(ob::plannerOrTerminationCondition(condition, limit));
-        return problem->hasExactSolution() ? std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath())
-                                           : nullptr;
+        planner_.setName(name);
+        planner_.setRange(range);
+        planner_.setProblemDefinition(problem_);
+        planner_.setup();
+    }
+
+    std::shared_ptr<og::PathGeometric> LimitedRRTConnect::search(const ob::PlannerTerminationCondition &condition)
+    {
+        planner_.solve(ob::plannerOrTerminationCondition(condition, limit_));
+        return problem_->hasExactSolution() ? std::static_pointer_cast<og::PathGeometric>(problem_->getSolutionPath())
+                                            : nullptr;
     }
 }

@@ -222,13 +222,20 @@ namespace ompl_certificates
     bool Roadmap::plan(Vertex start, Vertex goal, unsigned int iterations,
                        const ob::PlannerTerminationCondition &condition)
     {
-        const ob::SpaceInformationPtr si = makeRobotSpaceInformation(validator_, robot_);
-        auto problem = std::make_shared<ob::ProblemDefinition>(si);
-        problem->setStartAndGoalStates(ob::ScopedState<>(si->getStateSpace(), states_[start]),
-                                       ob::ScopedState<>(si->getStateSpace(), states_[goal]));
-        const Robot &robot = validator_.getChecker().getTeam().getRobot(robot_);
-        const auto path = planByRRTConnect(problem, "Roadmap of robot '" + robot.getName() + "'",
-                                           robot.getPlannerRange(), iterations, condition);
+        if (!search_ || searched_ != std::pair(start, goal))
+        {
+            const ob::SpaceInformationPtr si = makeRobotSpaceInformation(validator_, robot_);
+            auto problem = std::make_shared<ob::ProblemDefinition>(si);
+            problem->setStartAndGoalStates(ob::ScopedState<>(si->getStateSpace(), states_[start]),
+                                           ob::ScopedState<>(si->getStateSpace(), states_[goal]));
+            const Robot &robot = validator_.getChecker().getTeam().getRobot(robot_);
+            search_ = std::make_unique<LimitedRRTConnect>(problem, "Roadmap of robot '" + robot.getName() + "'",
+                                                          robot.getPlannerRange(), iterations);
+            searched_ = {start, goal};
+        }
+        const auto path = search_->search(condition);
+        if (path || search_->isOver())
+            search_.reset();
         if (!path)
             return false;
         Vertex last = start;

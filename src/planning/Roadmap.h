@@ -10,10 +10,13 @@
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/StateSampler.h>
 #include <ompl/datastructures/NearestNeighbors.h>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
 {
+    class LimitedRRTConnect;
+
     /** \brief A roadmap for one robot, or for several that are alike: PRM* in the robot's own space, by the team's
         checker.
 
@@ -104,7 +107,8 @@ namespace ompl_certificates
         void grow(unsigned int samples, Vertex most);
 
         /** \brief Find a free path between two vertices. If the roadmap has none, RRTConnect looks for one with at most
-            \e iterations, and its path becomes part of the roadmap.
+            \e iterations, and its path becomes part of the roadmap. If \e condition ends that, the next call for these
+            vertices goes on.
             \return whether there is a path */
         bool connect(Vertex start, Vertex goal, unsigned int iterations,
                      const ompl::base::PlannerTerminationCondition &condition);
@@ -151,6 +155,9 @@ namespace ompl_certificates
         const unsigned int robot_;
         const ompl::base::StateSpace &space_;
         ompl::base::StateSamplerPtr sampler_;
+        /** \brief What looks for a way between two vertices, if it was stopped; else null */
+        std::unique_ptr<LimitedRRTConnect> search_;
+        std::pair<Vertex, Vertex> searched_;
         std::vector<ompl::base::State *> states_;
         std::vector<std::vector<Edge>> edges_;
         std::vector<MotionData> motions_;

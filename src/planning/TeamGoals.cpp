@@ -3,6 +3,7 @@
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace ompl_certificates
@@ -47,6 +48,7 @@ namespace ompl_certificates
             addReachable(region, start, each, condition, reachable, arrives);
         if (condition)
             return {};
+        failed_.clear();
         if (const auto stuck = std::find(arrives.begin(), arrives.end(), false); stuck != arrives.end())
             stuckRobot_ = static_cast<unsigned int>(stuck - arrives.begin());
         if (reachable.size() > MOST_CHOSEN_GOALS)
@@ -69,10 +71,18 @@ namespace ompl_certificates
         {
             bool isReachable = true;
             for (unsigned int robot = 0; robot < start.size(); ++robot)
-                if (roadmaps_.getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
+            {
+                const std::array<Vertex, 3> way{robot, start[robot], goal[robot]};
+                if (failed_.count(way) == 0 &&
+                    roadmaps_.getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
+                {
                     reached[robot].push_back(goal[robot]);
-                else
-                    isReachable = false;
+                    continue;
+                }
+                isReachable = false;
+                if (!condition)
+                    failed_.insert(way);
+            }
             if (isReachable && std::find(reachable.begin(), reachable.end(), goal) == reachable.end())
                 reachable.push_back(goal);
         }

@@ -3,10 +3,12 @@
 
 #include "TeamRoadmaps.h"
 
+#include <array>
 #include <ompl/base/Goal.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/RandomNumbers.h>
 #include <optional>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -78,6 +80,9 @@ namespace ompl_certificates
         std::vector<Configuration> goals_;
         Configuration kept_;
         std::optional<unsigned int> stuckRobot_;
+        /** \brief Robots, starts and goals between which no way was found in a choose() that was stopped: the next one
+            goes on with others. */
+        std::set<std::array<Vertex, 3>> failed_;
         ompl::RNG random_;
         ompl::base::State *mixed_;
     };

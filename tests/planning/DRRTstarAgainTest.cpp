@@ -134,7 +134,7 @@ TEST_F(DRRTstarAgain, FindsInManyShortCallsWhatOneLongCallFinds)
 {
     for (const std::uint64_t slice : {30U, 100U, 300U})
     {
-        // They cannot pass each other but by a gap of their own width.
+        // All have to pass one of two narrow gaps.
         Room whole(6, 18.6), parts(6, 18.6);
         constexpr std::uint64_t all = 6000;
         ASSERT_EQ(whole.setup->solve(evaluations(all)), ob::PlannerStatus::EXACT_SOLUTION);
@@ -145,7 +145,6 @@ TEST_F(DRRTstarAgain, FindsInManyShortCallsWhatOneLongCallFinds)
             status = parts.setup->solve(evaluations(slice));
         ASSERT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION) << slice;
         EXPECT_TRUE(parts.setup->getSolutionPath().check()) << slice;
-        std::printf("DBG slice %zu spent %zu\n", (size_t)slice, (size_t)spent);
     }
 }
 
