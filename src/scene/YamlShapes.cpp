@@ -42,6 +42,7 @@ namespace ompl_certificates
             if (dimension == 3)
                 return Body::convexHull(points);
             std::vector<Eigen::Vector2d> outline;
+            outline.reserve(points.size());
             for (const Eigen::Vector3d &point : points)
                 outline.emplace_back(point.head<2>());
             return Body::convexHull(outline);
