@@ -88,6 +88,8 @@ namespace ompl_certificates
         goals_.reset();
         roadmaps_.reset();
         starts_.clear();
+        knownStarts_ = 0;
+        knownGoals_ = 0;
         best_.reset();
         isBestOptimal_ = false;
         stuckRobot_.clear();
@@ -183,15 +185,14 @@ namespace ompl_certificates
     {
         checkValidity();
         takeCheckers();
-        stuckRobot_.clear();
         if (!roadmaps_)
             beginSearch();
-        const std::size_t knownStarts = starts_.size();
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)
             return status;
         const unsigned int goals = pdef_->getGoal()->as<ob::GoalSampleableRegion>()->maxSampleCount();
         // What is under way does not know of new starts and goals.
-        const bool isOther = !round_ || starts_.size() > knownStarts || goals > knownGoals_;
+        const bool isOther = !round_ || starts_.size() > knownStarts_ || goals > knownGoals_;
+        knownStarts_ = starts_.size();
         knownGoals_ = goals;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
@@ -221,6 +222,7 @@ namespace ompl_certificates
                             static_cast<unsigned long long>(vertices_));
             return ob::PlannerStatus::TIMEOUT;
         }
+        stuckRobot_.clear();
         // A copy, which its owner may change
         ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*best_));
         solution.setPlannerName(getName());

@@ -33,7 +33,7 @@ namespace ompl_certificates
         if (round.phase == Round::CONNECTION)
         {
             round.isConnected = connect(condition);
-            if (!round.isConnected && condition)
+            if (!round.isConnected && !(round.chosen && round.chosen->empty()))
                 return false;
             round.phase = round.isConnected ? Round::PRIORITIES : Round::END;
             round.treeIterations = effort(TREE_ITERATIONS);
@@ -87,26 +87,33 @@ namespace ompl_certificates
 
     bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
     {
-        const std::vector<Configuration> chosen =
-            goals_->choose(*pdef_->getGoal(), starts_, effort(ROBOT_ITERATIONS), condition);
-        if (condition)
-            return false;
-        const auto stuck = goals_->getStuckRobot();
-        stuckRobot_ = stuck ? checker_->getTeam().getRobot(*stuck).getName() : std::string();
-        if (chosen.empty())
-            return false;
-        std::vector<ProductTree::Goal> goals;
-        goals.reserve(chosen.size());
-        for (const Configuration &goal : chosen)
-            goals.push_back({goal, {}});
-        for (ProductTree::Goal &goal : goals)
-            for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
+        Round &round = *round_;
+        if (!round.chosen)
+        {
+            round.chosen = goals_->choose(*pdef_->getGoal(), starts_, effort(ROBOT_ITERATIONS), condition);
+            if (!round.chosen)
+                return false;
+            const auto stuck = goals_->getStuckRobot();
+            stuckRobot_ = stuck ? checker_->getTeam().getRobot(*stuck).getName() : std::string();
+        }
+        for (const Configuration &goal : *round.chosen)
+        {
+            // Those before are complete.
+            const auto index = static_cast<std::size_t>(&goal - round.chosen->data());
+            if (round.goals.size() == index)
+                round.goals.push_back({goal, {}});
+            std::vector<std::vector<double>> &distances = round.goals[index].distances;
+            while (distances.size() < goal.size())
             {
                 if (condition)
                     return false;
-                goal.distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]));
+                const auto robot = static_cast<unsigned int>(distances.size());
+                distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal[robot]));
             }
-        tree_->setGoals(std::move(goals));
+        }
+        if (round.goals.empty())
+            return false;
+        tree_->setGoals(std::move(round.goals));
         return true;
     }
 

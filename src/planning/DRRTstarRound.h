@@ -28,6 +28,12 @@ namespace ompl_certificates
         /** \brief Whether each robot can reach a goal alone */
         bool isConnected{false};
 
+        /** \brief The goals that were chosen, if they are */
+        std::optional<std::vector<Configuration>> chosen;
+
+        /** \brief Those of them whose distances are known; of the last one maybe not all */
+        std::vector<ProductTree::Goal> goals;
+
         /** \brief Which pair of a goal and a start the search is at */
         std::size_t pair{0};
 

@@ -98,7 +98,7 @@ namespace ompl_certificates
                 };
                 place(first_, a);
                 place(second_, b);
-                return check_.getPairs().distance(pair_, context_) > a.reach + b.reach;
+                return check_.getPairs().areFarther(pair_, a.reach + b.reach, context_);
             }
 
             /** Stages from the first until before the last */

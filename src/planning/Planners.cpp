@@ -243,7 +243,8 @@ namespace ompl_certificates
             if (!has)
                 return result.empty() || result == value;
             if (given)
-                return std::abs(*given - *has) <= 1e-6 * std::abs(*given);
+                // It writes six decimals.
+                return std::abs(*given - *has) <= 1e-6 * std::abs(*given) + 6e-7;
             return (value == "true" && *has == 1.0) || (value == "false" && *has == 0.0);
         }
 
@@ -283,7 +284,9 @@ namespace ompl_certificates
         const ob::SpaceInformation &si = *planner.getSpaceInformation();
         const auto *team = dynamic_cast<const TeamStateSpace *>(si.getStateSpace().get());
         std::string present;
-        if (!team || !planner.params().getParam("range", present) || toNumber(present) != 0.0)
+        // Of a LazyPRM it is how far states may be from each other that become neighbors.
+        if (!team || !planner.params().getParam("range", present) || toNumber(present) != 0.0 ||
+            dynamic_cast<const og::LazyPRM *>(&planner))
             return;
         // Where the two are equal it is left to OMPL, to the last bit.
         const double range = team->getPlannerRange();

@@ -34,10 +34,9 @@ namespace ompl_certificates
             goals_.push_back(std::move(added));
     }
 
-    std::vector<TeamGoals::Configuration> TeamGoals::choose(const ob::Goal &region,
-                                                            const std::vector<Configuration> &starts,
-                                                            std::uint64_t iterations,
-                                                            const ob::PlannerTerminationCondition &condition)
+    std::optional<std::vector<TeamGoals::Configuration>>
+    TeamGoals::choose(const ob::Goal &region, const std::vector<Configuration> &starts, std::uint64_t iterations,
+                      const ob::PlannerTerminationCondition &condition)
     {
         stuckRobot_.reset();
         const auto each = static_cast<unsigned int>(std::clamp<std::uint64_t>(
@@ -45,10 +44,9 @@ namespace ompl_certificates
         std::vector<Configuration> reachable;
         std::vector<bool> arrives(roadmaps_.getRobotCount(), false);
         for (const Configuration &start : starts)
-            addReachable(region, start, each, condition, reachable, arrives);
-        if (condition)
-            return {};
-        failed_.clear();
+            if (!addReachable(region, start, each, condition, reachable, arrives))
+                return std::nullopt;
+        tried_.clear();
         if (const auto stuck = std::find(arrives.begin(), arrives.end(), false); stuck != arrives.end())
             stuckRobot_ = static_cast<unsigned int>(stuck - arrives.begin());
         if (reachable.size() > MOST_CHOSEN_GOALS)
@@ -62,26 +60,31 @@ namespace ompl_certificates
         return reachable;
     }
 
-    void TeamGoals::addReachable(const ob::Goal &region, const Configuration &start, unsigned int iterations,
+    bool TeamGoals::addReachable(const ob::Goal &region, const Configuration &start, unsigned int iterations,
                                  const ob::PlannerTerminationCondition &condition,
                                  std::vector<Configuration> &reachable, std::vector<bool> &arrives)
     {
         std::vector<std::vector<Vertex>> reached(start.size());
-        for (const Configuration &goal : goals_)
+        for (std::size_t number = 0; number < goals_.size(); ++number)
         {
+            const Configuration &goal = goals_[number];
             bool isReachable = true;
             for (unsigned int robot = 0; robot < start.size(); ++robot)
             {
-                const std::array<Vertex, 3> way{robot, start[robot], goal[robot]};
-                if (failed_.count(way) == 0 &&
-                    roadmaps_.getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
+                const std::array<std::size_t, 3> way{robot, start[robot], number};
+                auto known = tried_.find(way);
+                if (known == tried_.end())
                 {
-                    reached[robot].push_back(goal[robot]);
-                    continue;
+                    const bool isFound =
+                        roadmaps_.getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition);
+                    if (!isFound && condition)
+                        return false;
+                    known = tried_.emplace(way, isFound).first;
                 }
-                isReachable = false;
-                if (!condition)
-                    failed_.insert(way);
+                if (known->second)
+                    reached[robot].push_back(goal[robot]);
+                else
+                    isReachable = false;
             }
             if (isReachable && std::find(reachable.begin(), reachable.end(), goal) == reachable.end())
                 reachable.push_back(goal);
@@ -92,12 +95,17 @@ namespace ompl_certificates
                 allArrive = false;
             else
                 arrives[robot] = true;
-        if (allArrive && goals_.size() > 1 && !condition)
+        if (allArrive && goals_.size() > 1)
+        {
+            if (condition)
+                return false;
             if (const auto mixed = mix(region, start, std::move(reached)))
             {
                 reachable.erase(std::remove(reachable.begin(), reachable.end(), *mixed), reachable.end());
                 reachable.insert(reachable.begin(), *mixed);
             }
+        }
+        return true;
     }
 
     std::optional<TeamGoals::Configuration> TeamGoals::mix(const ob::Goal &region, const Configuration &start,

@@ -4,11 +4,11 @@
 #include "TeamRoadmaps.h"
 
 #include <array>
+#include <map>
 #include <ompl/base/Goal.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/RandomNumbers.h>
 #include <optional>
-#include <set>
 
 namespace ompl_certificates
 {
@@ -49,10 +49,11 @@ namespace ompl_certificates
             keep(), and others at random if there are more
             \param region tells which mixed goals are goals
             \param iterations of RRTConnect for each robot without a way in its roadmap, divided among the goals
-            \return none if \e condition became true */
-        std::vector<Configuration> choose(const ompl::base::Goal &region, const std::vector<Configuration> &starts,
-                                          std::uint64_t iterations,
-                                          const ompl::base::PlannerTerminationCondition &condition);
+            \return nothing if \e condition became true before; then another call goes on */
+        std::optional<std::vector<Configuration>> choose(const ompl::base::Goal &region,
+                                                         const std::vector<Configuration> &starts,
+                                                         std::uint64_t iterations,
+                                                         const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief A robot that in the last choose() found no way from any start to any goal, even alone */
         const std::optional<unsigned int> &getStuckRobot() const
@@ -64,8 +65,9 @@ namespace ompl_certificates
         using Vertex = TeamRoadmaps::Vertex;
 
         /** \brief Add the goals to \e reachable that can be reached from \e start, the mixed one before all. Note which
-            robots arrive at any goal. */
-        void addReachable(const ompl::base::Goal &region, const Configuration &start, unsigned int iterations,
+            robots arrive at any goal.
+            \return false if \e condition became true before */
+        bool addReachable(const ompl::base::Goal &region, const Configuration &start, unsigned int iterations,
                           const ompl::base::PlannerTerminationCondition &condition,
                           std::vector<Configuration> &reachable, std::vector<bool> &arrives);
 
@@ -80,9 +82,9 @@ namespace ompl_certificates
         std::vector<Configuration> goals_;
         Configuration kept_;
         std::optional<unsigned int> stuckRobot_;
-        /** \brief Robots, starts and goals between which no way was found in a choose() that was stopped: the next one
-            goes on with others. */
-        std::set<std::array<Vertex, 3>> failed_;
+        /** \brief For a robot, its start and the number of a goal, whether it has a way. Of a choose() that was stopped:
+            the next one goes on with others. */
+        std::map<std::array<std::size_t, 3>, bool> tried_;
         ompl::RNG random_;
         ompl::base::State *mixed_;
     };

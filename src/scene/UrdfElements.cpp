@@ -17,18 +17,20 @@ namespace ompl_certificates
 
         const std::map<std::string, Known> &knownElements()
         {
-            static const Names pose{"origin", "geometry", "name", "verbose", "contact_coefficients", "material"};
+            static const Names pose{"origin",   "geometry", "name", "verbose", "contact_coefficients",
+                                    "material", "surface"};
             static const std::map<std::string, Known> known{
                 {"link",
                  {{"inertial", "visual", "collision", "contact", "contact_coefficients", "collision_checking",
-                   "self_collision_checking", "sensor", "gazebo", "plugin", "kinematic", "gravity", "selfCollide"},
-                  {"name", "type"}}},
+                   "self_collision_checking", "sensor", "gazebo", "plugin", "kinematic", "gravity", "selfCollide",
+                   "self_collide"},
+                  {"name", "type", "concave"}}},
                 {"joint",
                  {{"origin", "parent", "child", "axis", "limit", "mimic", "dynamics", "calibration",
                    "safety_controller", "physics", "hardwareInterface", "actuator", "gazebo", "sensor",
                    "joint_properties", "disable_collisions"},
                   {"name", "type"}}},
-                {"collision", {pose, {"name", "group"}}},
+                {"collision", {pose, {"name", "group", "concave"}}},
                 {"visual", {pose, {"name", "group"}}},
                 {"geometry", {{"box", "cylinder", "sphere", "mesh", "capsule"}, {"name"}}},
                 {"origin", {{}, {"xyz", "rpy", "quat_xyzw"}}},

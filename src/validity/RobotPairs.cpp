@@ -355,6 +355,19 @@ namespace ompl_certificates
         return nearest;
     }
 
+    bool RobotPairs::areFarther(unsigned int pair, double distance, const CheckContext &context) const
+    {
+        const auto isFarther = [&](const TwoBodies &bodies)
+        {
+            if (!bodies.frame)
+                return bodies.gap(context) > distance;
+            return bodies.gap(context) - bodies.margin > distance ||
+                   bodyClearance(bodies.frame->getObstacles(), bodies.lookedUp(), bodies.relativePose(context)) >
+                       distance;
+        };
+        return std::all_of(pairs_[pair].bodies.begin(), pairs_[pair].bodies.end(), isFarther);
+    }
+
     void RobotPairs::clear()
     {
         for (const auto &frame : frames_)

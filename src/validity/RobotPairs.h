@@ -113,6 +113,10 @@ namespace ompl_certificates
             trees. Negative if they may touch. */
         double distance(unsigned int pair, const CheckContext &context) const;
 
+        /** \brief Whether the robots of a pair are known to be farther from each other than \e distance. Cost: less
+            than that of distance(). */
+        bool areFarther(unsigned int pair, double distance, const CheckContext &context) const;
+
         /** \brief Removes all certificates. Not while others use the pairs. */
         void clear();
 

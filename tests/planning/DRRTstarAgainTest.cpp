@@ -104,6 +104,18 @@ namespace
         }
     };
 
+    /** A goal that no states can be taken of */
+    class NoSampleableGoal : public ob::Goal
+    {
+    public:
+        using Goal::Goal;
+
+        bool isSatisfied(const ob::State * /*state*/) const override
+        {
+            return false;
+        }
+    };
+
     class DRRTstarAgain : public testing::Test
     {
         const Quiet quiet_;
@@ -145,6 +157,56 @@ TEST_F(DRRTstarAgain, FindsInManyShortCallsWhatOneLongCallFinds)
             status = parts.setup->solve(evaluations(slice));
         ASSERT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION) << slice;
         EXPECT_TRUE(parts.setup->getSolutionPath().check()) << slice;
+    }
+}
+
+// With more robots a whole round takes longer than a call.
+TEST_F(DRRTstarAgain, GoesOnInShortCallsAfterTheFirstSolution)
+{
+    Room room(12, 6.0);
+    const auto vertices = [&]
+    { return std::stoul(room.planner->getPlannerProgressProperties().at("roadmap vertices INTEGER")()); };
+    for (int i = 0; i < 300 && !room.setup->haveExactSolutionPath(); ++i)
+        room.setup->solve(evaluations(100));
+    ASSERT_TRUE(room.setup->haveExactSolutionPath());
+    const double cost = room.planner->getBestCost().value();
+    std::size_t before = 0;
+    for (int part = 0; part < 2; ++part)
+    {
+        for (int i = 0; i < 300 * (part + 1); ++i)
+            room.setup->solve(evaluations(100));
+        EXPECT_GT(vertices(), before);
+        before = vertices();
+    }
+    EXPECT_LT(room.planner->getBestCost().value(), cost);
+}
+
+// A start is taken before it shows that the goal is of no use.
+TEST_F(DRRTstarAgain, TakesStartsThatCameWithAGoalOfNoUse)
+{
+    Room room(4, 18.6);
+    const auto problem = room.setup->getProblemDefinition();
+    const ob::GoalPtr goal = problem->getGoal();
+    room.setup->solve(evaluations(200));
+    ob::ScopedState<> start(room.team);
+    start = std::vector<double>{-5.0, -1.0, -5.0, -2.0, -5.0, -3.0, -5.0, -4.0};
+    problem->addStartState(start);
+    problem->setGoal(std::make_shared<NoSampleableGoal>(room.setup->getSpaceInformation()));
+    EXPECT_EQ(room.setup->solve(evaluations(200)), ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE);
+    problem->setGoal(goal);
+    EXPECT_EQ(room.setup->solve(evaluations(6000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(room.setup->getSolutionPath().check());
+}
+
+// Also a call that ends early, or has nothing more to try, tells which robot is stuck.
+TEST_F(DRRTstarAgain, NamesTheStuckRobotInEachCall)
+{
+    Room room(2, 30.0);
+    room.planner->setMaxRoadmapSize(100);
+    for (int call = 0; call < 3; ++call)
+    {
+        EXPECT_EQ(room.setup->solve(evaluations(call == 1 ? 5 : 20000)), ob::PlannerStatus::TIMEOUT);
+        EXPECT_EQ(room.planner->getStuckRobot(), "disc_0") << call;
     }
 }
 

@@ -196,6 +196,9 @@ TEST(Planners, RefuseNumbersThatMakeNoSense)
     }
     EXPECT_NO_THROW(setParameter(*makePlanner("SPARStwo", si), "stretch_factor", "1.05"));
     EXPECT_NO_THROW(setParameter(*makePlanner("RRT", si), "range", "0"));
+    // OMPL tells parameters with six decimals.
+    for (const char *const value : {"2.616895871065565", "1.4219548", "0.18098541408979257", "0.0000014"})
+        EXPECT_NO_THROW(setParameter(*makePlanner("RRT", si), "range", value)) << value;
 }
 
 TEST(Planners, CallTheHooksAroundSolve)

@@ -268,7 +268,8 @@ namespace ompl_certificates
         {
             const auto tells = [&](const std::string &isDiff)
             {
-                const auto &notes = read(BALL + isDiff).scene.getNotes();
+                const SceneFile file = read(BALL + isDiff);
+                const auto &notes = file.scene.getNotes();
                 return std::any_of(notes.begin(), notes.end(),
                                    [](const std::string &note)
                                    { return note.find("is_diff is true") != std::string::npos; });

@@ -68,7 +68,7 @@ namespace ompl_certificates
         void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
 
         /** \brief Plan until \e condition becomes true, the objective is satisfied or no path can be better. Calls
-            of solve() go on where the one before was stopped, unless clear() was called, or the validity checker, the motion
+            of solve() go on where the one before was stopped, if each has the time of a search for one robot, unless clear() was called, or the validity checker, the motion
             validator or the objective is another one. If a robot finds no way even alone, a message names it; then
             planning also ends when the roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
@@ -239,7 +239,8 @@ namespace ompl_certificates
         std::unique_ptr<RoadmapPathCheck> check_;
         std::unique_ptr<TeamPathSimplifier> simplifier_;
         std::vector<Configuration> starts_;
-        /** \brief How many goals there were to sample in the last solve() */
+        /** \brief How many starts there were in the present round, and how many goals to sample */
+        std::size_t knownStarts_{0};
         unsigned int knownGoals_{0};
         ompl::base::OptimizationObjectivePtr objective_;
         std::shared_ptr<ompl::geometric::PathGeometric> best_;
