@@ -243,8 +243,8 @@ namespace ompl_certificates
             if (!has)
                 return result.empty() || result == value;
             if (given)
-                // It writes six decimals.
-                return std::abs(*given - *has) <= 1e-6 * std::abs(*given) + 6e-7;
+                // It writes six digits, or six decimals.
+                return std::abs(*given - *has) <= 6e-6 * std::abs(*given) + 6e-7;
             return (value == "true" && *has == 1.0) || (value == "false" && *has == 0.0);
         }
 

@@ -234,7 +234,7 @@ namespace ompl_certificates
             Deviation aim = tolerance_;
             for (double &tolerance : aim)
                 tolerance *= random.uniformReal(0.01, 0.9);
-            if (approach(aim, false, state))
+            if (approach(aim, state))
                 return true;
         }
         return false;
@@ -244,7 +244,7 @@ namespace ompl_certificates
     {
         // The goal's middle, or the search would end at its edge, where rounding decides.
         constexpr double inner = 0.5;
-        return approach(inner * tolerance_, true, state);
+        return approach(inner * tolerance_, state);
     }
 
     std::string LinkPoseGoal::describe() const
@@ -259,25 +259,16 @@ namespace ompl_certificates
         return text.str();
     }
 
-    bool LinkPoseGoal::approach(const Deviation &aim, bool persists, ob::State *state) const
+    bool LinkPoseGoal::approach(const Deviation &aim, ob::State *state) const
     {
-        bool holdsAll = false;
         double damping = FIRST_DAMPING;
         Deviation deviation = deviationOf(state);
         for (unsigned int steps = 0; steps < MOST_APPROACH_STEPS; ++steps)
         {
             if (beyond(deviation, tolerance_).isZero(0.0))
                 return arm_->getStateSpace()->satisfiesBounds(state);
-            const Deviation left = holdsAll ? Deviation(Deviation::Ones()) : beyond(deviation, aim);
-            if (!step(slopesAt(state, deviation, left), aim, damping, deviation, state))
-            {
-                if (!persists || holdsAll)
-                    return false;
-                // A step for what is left may turn the link out of what is reached by more than it gains.
-                holdsAll = true;
-                damping = FIRST_DAMPING;
-                continue;
-            }
+            if (!step(slopesAt(state, deviation, beyond(deviation, aim)), aim, damping, deviation, state))
+                return false;
             damping = std::max(LEAST_DAMPING, damping / 100.0);
         }
         return false;

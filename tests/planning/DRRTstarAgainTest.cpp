@@ -163,7 +163,7 @@ TEST_F(DRRTstarAgain, FindsInManyShortCallsWhatOneLongCallFinds)
 // With more robots a whole round takes longer than a call.
 TEST_F(DRRTstarAgain, GoesOnInShortCallsAfterTheFirstSolution)
 {
-    Room room(12, 6.0);
+    Room room(10, 6.0);
     const auto vertices = [&]
     { return std::stoul(room.planner->getPlannerProgressProperties().at("roadmap vertices INTEGER")()); };
     for (int i = 0; i < 300 && !room.setup->haveExactSolutionPath(); ++i)

@@ -196,7 +196,7 @@ TEST(Planners, RefuseNumbersThatMakeNoSense)
     }
     EXPECT_NO_THROW(setParameter(*makePlanner("SPARStwo", si), "stretch_factor", "1.05"));
     EXPECT_NO_THROW(setParameter(*makePlanner("RRT", si), "range", "0"));
-    // OMPL tells parameters with six decimals.
+    // OMPL tells parameters with six digits.
     for (const char *const value : {"2.616895871065565", "1.4219548", "0.18098541408979257", "0.0000014"})
         EXPECT_NO_THROW(setParameter(*makePlanner("RRT", si), "range", value)) << value;
 }

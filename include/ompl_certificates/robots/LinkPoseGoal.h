@@ -119,9 +119,8 @@ namespace ompl_certificates
 
         /** \brief Move \e state into the goal, from where it is
             \param aim the tolerances to aim at, within those of the goal: reaching the latter is enough
-            \param persists whether a search that is stuck goes on with steps that keep what is reached
             \return false if it got stuck */
-        bool approach(const Deviation &aim, bool persists, ompl::base::State *state) const;
+        bool approach(const Deviation &aim, ompl::base::State *state) const;
 
         /** \brief The slopes at \e state, which has that \e deviation. Rows of what is not \e left to go are 0. */
         Slopes slopesAt(const ompl::base::State *state, const Deviation &deviation, const Deviation &left) const;
