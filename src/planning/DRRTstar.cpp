@@ -209,7 +209,11 @@ namespace ompl_certificates
         while (!condition && !isDone() && continueRound(condition))
         {
             if (!round_->isConnected && isAtLimit() && !pis_.haveMoreGoalStates())
+            {
+                // Another call may have more luck.
+                beginRound();
                 break;
+            }
             round_ = std::make_unique<Round>();
             ++rounds_;
         }
