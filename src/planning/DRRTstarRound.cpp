@@ -96,13 +96,12 @@ namespace ompl_certificates
             const auto stuck = goals_->getStuckRobot();
             stuckRobot_ = stuck ? checker_->getTeam().getRobot(*stuck).getName() : std::string();
         }
-        for (const Configuration &goal : *round.chosen)
+        for (std::size_t i = 0; i < round.chosen->size(); ++i)
         {
-            // Those before are complete.
-            const auto index = static_cast<std::size_t>(&goal - round.chosen->data());
-            if (round.goals.size() == index)
+            const Configuration &goal = (*round.chosen)[i];
+            if (round.goals.size() == i)
                 round.goals.push_back({goal, {}});
-            std::vector<std::vector<double>> &distances = round.goals[index].distances;
+            std::vector<std::vector<double>> &distances = round.goals[i].distances;
             while (distances.size() < goal.size())
             {
                 if (condition)
