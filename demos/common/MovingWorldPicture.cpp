@@ -1,5 +1,6 @@
 #include "common/MovingWorldPicture.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 
@@ -120,10 +121,10 @@ namespace demos
 
     std::string MovingWorldPicture::toSvg(double seconds, double personRadius) const
     {
+        // One frame is shown as long as the way from one to the next takes.
+        const double steps = std::max(1.0, static_cast<double>(frames_.size()) - 1.0), duration = seconds * steps;
         const double width = PIXELS_PER_METER * (length_ + 2.0 * MARGIN),
-                     height = PIXELS_PER_METER * (width_ + 2.0 * MARGIN),
-                     // Of one frame nothing moves.
-            duration = seconds * std::max(1.0, static_cast<double>(frames_.size()) - 1.0);
+                     height = PIXELS_PER_METER * (width_ + 2.0 * MARGIN);
         std::string svg =
             "<svg xmlns='http://www.w3.org/2000/svg' width='" + number(width) + "' height='" + number(height) +
             "' viewBox='0 0 " + number(width) + " " + number(height) +
